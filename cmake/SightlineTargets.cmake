@@ -1,0 +1,32 @@
+# How every target of the project is compiled, and what a room is.
+
+# Inline functions of our headers must round as the library does, wherever they are compiled: contraction is off for
+# users too. Warnings are for our own builds only, and without the two that g++ 12 reports at -O3 for correct code
+# inlined from std::string (GCC bug 105651) and from Boost's small_vector.
+function(sightline_compile_options target)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  target_compile_options(${target} PUBLIC -ffp-contract=off)
+  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
+  if(PROJECT_IS_TOP_LEVEL)
+    target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion
+      $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overread>)
+  endif()
+  if(SIGHTLINE_WARNINGS_AS_ERRORS)
+    target_compile_options(${target} PRIVATE -Werror)
+  endif()
+endfunction()
+
+# A room is a folder of the source tree and the static library sightline_<room> made of all its sources; what it may
+# include is what it is linked with.
+function(sightline_add_room room)
+  file(GLOB sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/${room}/*.cpp")
+  set(target sightline_${room})
+  add_library(${target} STATIC ${sources})
+  add_library(sightline::${room} ALIAS ${target})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${room})
+  target_include_directories(${target} PUBLIC
+    "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>"
+    "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/sightline-${PROJECT_VERSION}>")
+  target_link_libraries(${target} PUBLIC ${ARGN})
+  sightline_compile_options(${target})
+endfunction()
