@@ -1,0 +1,25 @@
+// How two facets meet, apart from the vertices and edges that they share.
+//
+// In:  two facets with welded corners.
+// Out:
+//   - crossing: an edge of one passes strictly from one side of the other's plane to the other, strictly inside it;
+//   - touching: they meet, outside the vertices and edges they share, without crossing so;
+//   - none: they meet in what they share at most.
+// Exact. What is shared is known by its id, without arithmetic.
+// Complexity: O(k) sides of planes where these decide, as they do for most neighbours; else O(k^2) orientations, for k
+// corners.
+//
+// How: where the planes differ, the facets meet in a segment of the planes' common line, each end of which is a corner
+// of one facet or the place where an edge passes through the plane. Where they coincide, they meet in a convex polygon,
+// each vertex of which is a corner of one facet or a crossing of two edges. So looking at corners and edges is enough.
+#pragma once
+
+#include "geometry/convex_facet.h"
+
+namespace sightline {
+
+enum class Contact { none, touching, crossing };
+
+[[nodiscard]] Contact contact_of(const ConvexFacet& a, const ConvexFacet& b);
+
+}  // namespace sightline

@@ -1,0 +1,166 @@
+#include "geometry/obj_statements.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <stdexcept>
+
+#include "geometry/errors.h"
+#include "geometry/obj_scanner.h"
+
+namespace sightline {
+
+namespace {
+
+// Keywords that add nothing to the surface: attributes, groups, rendering, points and lines.
+constexpr std::array passed_over{"vt",  "vn",       "vp",       "p",          "l",        "o",      "g",
+                                 "s",   "mg",       "usemtl",   "mtllib",     "usemap",   "maplib", "bevel",
+                                 "lod", "c_interp", "d_interp", "shadow_obj", "trace_obj"};
+
+class StatementParser {
+ public:
+  StatementParser(std::string_view text, const std::string& file_name) : scanner_(text), file_name_(file_name) {}
+
+  ObjStatements parse();
+
+ private:
+  // Only the last part of a file can show where an index that is too large now leads.
+  struct ForwardReference {
+    std::int64_t index;
+    std::size_t line;
+  };
+
+  [[noreturn]] void fail(const std::string& cause) const { throw InputError(file_name_, scanner_.line(), cause); }
+  void parse_statement(std::string_view keyword);
+  void parse_vertex();
+  double next_coordinate();
+  void parse_face();
+  VertexId parse_corner(std::string_view token);
+  VertexId resolve(std::int64_t index, std::string_view token);
+  bool names_attribute(std::string_view token, std::size_t count, std::string_view index_text) const;
+  void check_attributes(std::string_view token, std::string_view attributes);
+  void note_unknown(std::string_view keyword);
+  void check_forward_references() const;
+
+  ObjScanner scanner_;
+  const std::string& file_name_;
+  ObjStatements result_;
+  std::vector<VertexId> corners_;
+  std::vector<ForwardReference> forward_;
+  std::size_t known_count_ = 0;
+  std::size_t texture_count_ = 0;
+  std::size_t normal_count_ = 0;
+  bool attributes_missing_ = false;
+};
+
+ObjStatements StatementParser::parse() {
+  for (auto keyword = scanner_.next_statement(); !keyword.empty(); keyword = scanner_.next_statement()) {
+    parse_statement(keyword);
+  }
+  if (known_count_ == 0 && result_.unknown_count > 0) {
+    throw InputError(file_name_, result_.unknown_line,
+                     "no OBJ file: no statement has an OBJ keyword, the first has " + result_.unknown_keyword);
+  }
+  check_forward_references();
+  return std::move(result_);
+}
+
+void StatementParser::parse_statement(std::string_view keyword) {
+  ++known_count_;
+  if (keyword == "v") return parse_vertex();
+  if (keyword == "f") return parse_face();
+  if (keyword == "vt") ++texture_count_;
+  if (keyword == "vn") ++normal_count_;
+  if (std::ranges::find(passed_over, keyword) != passed_over.end()) return;
+  --known_count_;
+  note_unknown(keyword);
+}
+
+void StatementParser::note_unknown(std::string_view keyword) {
+  if (result_.unknown_count++ > 0) return;
+  result_.unknown_line = scanner_.line();
+  result_.unknown_keyword = quoted(keyword);
+}
+
+double StatementParser::next_coordinate() {
+  const std::string_view token = scanner_.next_token();
+  if (token.empty()) fail("a vertex needs three coordinates");
+  try {
+    return parse_coordinate(token);
+  } catch (const std::invalid_argument& error) {
+    fail(error.what());
+  }
+}
+
+void StatementParser::parse_vertex() {
+  if (result_.vertices.size() == std::numeric_limits<std::uint32_t>::max()) fail("more than 4294967295 vertices");
+  const double x = next_coordinate();
+  const double y = next_coordinate();
+  const double z = next_coordinate();
+  result_.vertices.push_back({x, y, z});
+}
+
+void StatementParser::parse_face() {
+  corners_.clear();
+  attributes_missing_ = false;
+  for (auto token = scanner_.next_token(); !token.empty(); token = scanner_.next_token()) {
+    corners_.push_back(parse_corner(token));
+  }
+  if (attributes_missing_) result_.faces_with_missing_attributes.emplace_back(result_.faces.size());
+  if (result_.faces.corners.size() + corners_.size() > std::numeric_limits<std::uint32_t>::max())
+    fail("more than 4294967295 corners");
+  result_.faces.push_back(corners_);
+}
+
+VertexId StatementParser::parse_corner(std::string_view token) {
+  const std::size_t slash = std::min(token.find('/'), token.size());
+  const auto index = parse_integer(token.substr(0, slash));
+  if (!index) fail("corner " + quoted(token) + " has no vertex index");
+  if (slash < token.size()) check_attributes(token, token.substr(slash + 1));
+  return resolve(*index, token);
+}
+
+VertexId StatementParser::resolve(std::int64_t index, std::string_view token) {
+  const auto count = static_cast<std::int64_t>(result_.vertices.size());
+  if (index == 0) fail("corner " + quoted(token) + ": vertices count from 1");
+  if (index < -count || index > std::numeric_limits<std::uint32_t>::max())
+    fail("corner " + quoted(token) + " names no vertex");
+  if (index > count) forward_.push_back({index, scanner_.line()});
+  return VertexId(static_cast<std::size_t>(index < 0 ? count + index : index - 1));
+}
+
+// Whether an optional index into `count` attributes names one; an empty one is no index.
+bool StatementParser::names_attribute(std::string_view token, std::size_t count, std::string_view index_text) const {
+  if (index_text.empty()) return true;
+  const auto index = parse_integer(index_text);
+  if (!index) fail("corner " + quoted(token) + " has an index that is no integer");
+  return *index != 0 && *index <= static_cast<std::int64_t>(count) && *index >= -static_cast<std::int64_t>(count);
+}
+
+void StatementParser::check_attributes(std::string_view token, std::string_view attributes) {
+  const std::size_t slash = std::min(attributes.find('/'), attributes.size());
+  const bool texture = names_attribute(token, texture_count_, attributes.substr(0, slash));
+  const bool normal = slash == attributes.size() || names_attribute(token, normal_count_, attributes.substr(slash + 1));
+  attributes_missing_ = attributes_missing_ || !texture || !normal;
+}
+
+void StatementParser::check_forward_references() const {
+  const auto count = static_cast<std::int64_t>(result_.vertices.size());
+  for (const auto& [index, line] : forward_) {
+    if (index <= count) continue;
+    throw InputError(file_name_, line,
+                     "a corner names vertex " + std::to_string(index) + " of " + std::to_string(count));
+  }
+}
+
+}  // namespace
+
+ObjStatements parse_obj_statements(std::string_view text, const std::string& file_name) {
+  if (text.starts_with("\xFF\xFE"))
+    throw InputError(file_name, 1, "the text is UTF-16 (little endian); save it as UTF-8");
+  if (text.starts_with("\xFE\xFF")) throw InputError(file_name, 1, "the text is UTF-16 (big endian); save it as UTF-8");
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  return StatementParser(text, file_name).parse();
+}
+
+}  // namespace sightline
