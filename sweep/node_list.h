@@ -1,0 +1,53 @@
+// The node list: the facets over one span of the sweep line, shallowest first (Fang 5.3.1).
+//
+// Holds: no facet twice, no winding number 0. Lists with the same contents that are kept by tournament have the same
+// topmost facet. Right of a bundle = left of it, minus the facets that leave, plus those that enter.
+#pragma once
+
+#include <boost/container/small_vector.hpp>
+#include <span>
+
+#include "geometry/ids.h"
+#include "geometry/projected_scene.h"
+#include "sweep/depth_order.h"
+
+namespace sightline {
+
+// How the topmost facet is found.
+//   depth:      the list is sorted by depth. Exact and fast where DepthOrder is transitive, as it is for facets that do
+//   not interpenetrate. tournament: the list is sorted by facet, and the topmost is who is left when each in turn meets
+//   the best so far. It depends on
+//               the contents alone, so that the subdivision closes whatever the depths say.
+enum class NodeOrder { depth, tournament };
+
+struct Node {
+  FacetId facet;
+  std::int32_t winding = 0;
+};
+
+class NodeList {
+ public:
+  // Invalid where no facet is over the span.
+  [[nodiscard]] FacetId topmost() const { return topmost_; }
+  [[nodiscard]] std::span<const Node> nodes() const { return {nodes_.data(), nodes_.size()}; }
+
+  // Crosses an edge with these sides from left to right.
+  void cross(std::span<const EdgeSide> sides, DepthOrder& depth, NodeOrder order);
+
+  // Whether both hold the same facets with the same winding numbers, in whatever order. O(1): compares a fingerprint
+  // that differs for different contents with all but certainty.
+  [[nodiscard]] bool same_contents(const NodeList& other) const {
+    return nodes_.size() == other.nodes_.size() && fingerprint_ == other.fingerprint_;
+  }
+
+ private:
+  void add(const EdgeSide& side, DepthOrder& depth, NodeOrder order);
+  void insert(const Node& node, DepthOrder& depth, NodeOrder order);
+  [[nodiscard]] FacetId find_topmost(DepthOrder& depth, NodeOrder order) const;
+
+  boost::container::small_vector<Node, 4> nodes_;
+  FacetId topmost_;
+  std::uint64_t fingerprint_ = 0;  // the sum over facets of winding * a hash of the facet
+};
+
+}  // namespace sightline

@@ -1,0 +1,171 @@
+#include "sweep/segment_recorder.h"
+
+#include <algorithm>
+
+#include "geometry/errors.h"
+#include "geometry/facet_plane.h"
+
+namespace sightline {
+
+void SegmentRecorder::at(const SweepPoint& point, std::span<const AboveSegment> above, std::span<const BundleId> below,
+                         FacetId left, ActiveEdgeList& active) {
+  ending_.clear();
+  end_point_surfaces_.clear();
+  look_below(below, left, active);
+  keep_or_end(above, active);
+  note_starts(below, active);
+  if (!end_point_surfaces_.empty()) {
+    std::sort(end_point_surfaces_.begin(), end_point_surfaces_.end());
+    end_kept_at_end_points(below, active);
+    emit(point, below, active);
+    if (above.empty() && left.valid()) add_thread(id_of(point), left, below.front(), active);
+  }
+  for (const BundleId b : below) active.visibility_changed(b);
+}
+
+// What each bundle below should show; no segment yet.
+void SegmentRecorder::look_below(std::span<const BundleId> below, FacetId left, ActiveEdgeList& active) const {
+  for (const BundleId b : below) {
+    Bundle& bundle = active[b];
+    const FacetId right = bundle.right.topmost();
+    bundle.left_segment = {};
+    bundle.right_segment = {};
+    if (surface_of(mesh_, left) != surface_of(mesh_, right)) {
+      bundle.left_segment = wanted(bundle.edge_span(), left, right);
+      bundle.right_segment = wanted(bundle.edge_span(), right, left);
+    }
+    left = right;
+  }
+}
+
+OpenSegment SegmentRecorder::wanted(std::span<const EdgeId> edges, FacetId facet, FacetId other) const {
+  if (!facet.valid()) return {};
+  return {SegmentId{}, carrier(edges, facet, other), facet, other};
+}
+
+// The first edge that belongs to the facet, or else to the other one, or else (where depths are not transitive) of all:
+// a choice that does not depend on how faces are numbered.
+EdgeId SegmentRecorder::carrier(std::span<const EdgeId> edges, FacetId facet, FacetId other) const {
+  for (const FacetId side : {facet, other}) {
+    const auto found = std::find_if(edges.begin(), edges.end(), [&](EdgeId e) { return carries(e, side); });
+    if (found != edges.end()) return *found;
+  }
+  return edges.front();
+}
+
+bool SegmentRecorder::carries(EdgeId edge, FacetId facet) const {
+  if (!facet.valid()) return false;
+  const FacetId surface = surface_of(mesh_, facet);
+  const auto sides = scene_.sides_of(edge);
+  return std::any_of(sides.begin(), sides.end(),
+                     [&](const EdgeSide& side) { return surface_of(mesh_, side.facet) == surface; });
+}
+
+void SegmentRecorder::keep_or_end(std::span<const AboveSegment> above, ActiveEdgeList& active) {
+  for (const AboveSegment& segment : above) {
+    const BundleId b = active.bundle_of(segment.open.edge);
+    if (b.valid()) {
+      Bundle& bundle = active[b];
+      OpenSegment& below = segment.left_of_edge ? bundle.left_segment : bundle.right_segment;
+      if (continues(segment, below, bundle.edge_span())) {
+        below.segment = segment.open.segment;
+        below.edge = segment.open.edge;
+        continue;
+      }
+    }
+    ending_.push_back(segment);
+    end_point_surfaces_.push_back(surface_of(mesh_, segment.open.facet));
+  }
+}
+
+// Where the edge could have been chosen for the segment below, too.
+bool SegmentRecorder::continues(const AboveSegment& above, const OpenSegment& below,
+                                std::span<const EdgeId> edges) const {
+  if (!below.facet.valid() || surface_of(mesh_, above.open.facet) != surface_of(mesh_, below.facet)) return false;
+  for (const FacetId side : {below.facet, below.other}) {
+    if (carries(above.open.edge, side)) return true;
+    if (std::any_of(edges.begin(), edges.end(), [&](EdgeId e) { return carries(e, side); })) return false;
+  }
+  return true;
+}
+
+void SegmentRecorder::note_starts(std::span<const BundleId> below, const ActiveEdgeList& active) {
+  for (const BundleId b : below) {
+    for (const OpenSegment* open : {&active[b].left_segment, &active[b].right_segment}) {
+      if (open->facet.valid() && !open->segment.valid()) end_point_surfaces_.push_back(surface_of(mesh_, open->facet));
+    }
+  }
+}
+
+void SegmentRecorder::end_kept_at_end_points(std::span<const BundleId> below, ActiveEdgeList& active) {
+  for (const BundleId b : below) {
+    for (const bool left : {true, false}) {
+      OpenSegment& open = left ? active[b].left_segment : active[b].right_segment;
+      if (!open.segment.valid() || !has_end_point(open.facet)) continue;
+      ending_.push_back({open, left});
+      open.segment = SegmentId{};
+    }
+  }
+}
+
+bool SegmentRecorder::has_end_point(FacetId facet) const {
+  return std::binary_search(end_point_surfaces_.begin(), end_point_surfaces_.end(), surface_of(mesh_, facet));
+}
+
+void SegmentRecorder::emit(const SweepPoint& point, std::span<const BundleId> below, ActiveEdgeList& active) {
+  const PointId p = id_of(point);
+  for (const AboveSegment& ending : ending_) {
+    VisibleSegment& segment = result_.segments[ending.open.segment.index()];
+    (ending.left_of_edge ? segment.start : segment.end) = p;
+  }
+  for (const BundleId b : below) {
+    start(active[b].left_segment, true, p);
+    start(active[b].right_segment, false, p);
+  }
+  split_edges(p, below, active);
+}
+
+// The face lies to the left of its segment: left of an edge the segment runs upwards, right of it downwards (Fang's
+// figure 5.4).
+void SegmentRecorder::start(OpenSegment& open, bool left_of_edge, PointId p) {
+  if (!open.facet.valid() || open.segment.valid()) return;
+  open.segment = SegmentId(result_.segments.size());
+  VisibleSegment segment{{}, {}, open.facet, open.other, open.edge};
+  (left_of_edge ? segment.end : segment.start) = p;
+  result_.segments.push_back(segment);
+}
+
+void SegmentRecorder::split_edges(PointId p, std::span<const BundleId> below, const ActiveEdgeList& active) {
+  for (const BundleId b : below) {
+    for (const EdgeId e : active[b].edges) {
+      if (scene_.edge(e).top == p) continue;
+      for (const EdgeSide& side : scene_.sides_of(e)) {
+        if (has_end_point(side.facet)) result_.splits.push_back({side.mesh_edge, side.facet, e, p});
+      }
+    }
+  }
+}
+
+// Nothing was visible along the bundles above, and a face lies around the point: what starts here may be a hole in it.
+void SegmentRecorder::add_thread(PointId p, FacetId left, BundleId first_below, const ActiveEdgeList& active) {
+  const BundleId b = active.nearest_visible_before(first_below);
+  if (!b.valid() || !active[b].right_segment.segment.valid() ||
+      surface_of(mesh_, active[b].right_segment.facet) != surface_of(mesh_, left)) {
+    throw InternalError("no visible segment of face " + std::to_string(mesh_.facet_face[left.index()].value) +
+                        " bounds it left of sweep point " + std::to_string(p.value));
+  }
+  result_.threads.push_back({p, left, active[b].right_segment.segment});
+}
+
+PointId SegmentRecorder::id_of(const SweepPoint& point) {
+  if (point.vertex.valid()) return point.vertex;
+  const CrossingEvent& crossing = point.crossings.front();
+  const Crossing numbered{crossing.a, crossing.b, point.next_vertex};
+  if (result_.crossings.empty() || result_.crossings.back().a != numbered.a ||
+      result_.crossings.back().b != numbered.b) {
+    result_.crossings.push_back(numbered);
+  }
+  return PointId(scene_.points.size() + result_.crossings.size() - 1);
+}
+
+}  // namespace sightline

@@ -1,0 +1,279 @@
+#include "sweep/sweep.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/errors.h"
+#include "sweep/active_edge_list.h"
+#include "sweep/depth_order.h"
+#include "sweep/event_queue.h"
+#include "sweep/segment_recorder.h"
+#include "sweep/sweep_input.h"
+
+namespace sightline {
+namespace {
+
+// Thrown where a span, reached from above and around the sweep point, has the same facets but different topmost ones:
+// the depths are not transitive there, because facets interpenetrate or overlap in the rounded image only.
+struct IntransitiveDepth {};
+
+class Sweep {
+ public:
+  Sweep(const Mesh& mesh, const ProjectedScene& scene, NodeOrder order, SweepObserver* observer)
+      : scene_(scene),
+        order_(order),
+        observer_(observer),
+        input_(mesh, scene),
+        queue_(scene),
+        active_(scene.edge_count()),
+        depth_(mesh, scene),
+        recorder_(mesh, scene, result_) {}
+
+  VisibleSegments run() {
+    while (queue_.next(point_)) {
+      find_above();
+      arrange_below();
+      replace_in_active_list();
+      update_node_lists();
+      recorder_.at(point_, above_segments_, below_, left_list_.topmost(), active_);
+      queue_crossings();
+      count();
+      if (observer_ != nullptr) notify();
+    }
+    check(active_.empty(), "edges are left over after the last sweep point");
+    result_.statistics.depth_comparisons = depth_.comparisons();
+    result_.statistics.predicates = depth_.counts();
+    result_.conflicts = input_.faces_of(depth_.conflicts());
+    std::sort(result_.splits.begin(), result_.splits.end());
+    result_.splits.erase(std::unique(result_.splits.begin(), result_.splits.end()), result_.splits.end());
+    return std::move(result_);
+  }
+
+ private:
+  // The bundles through the sweep point: those with edges that end or cross here, and those that a vertex lies on.
+  void find_above() {
+    above_.clear();
+    marked_ = {};
+    marked_count_ = 0;
+    for (const EdgeId e : input_.ending_at(point_.vertex)) mark(active_.bundle_of(e));
+    for (const CrossingEvent& c : point_.crossings) {
+      mark(active_.bundle_of(c.a));
+      mark(active_.bundle_of(c.b));
+    }
+    if (!marked_.valid()) {
+      search_above();
+    } else {
+      expand_above();
+    }
+    above_segments_.clear();
+    for (const BundleId b : above_) remember_segments(active_[b]);
+  }
+
+  void mark(BundleId b) {
+    check(b.valid(), "an edge that should be active is not");
+    if (is_marked(b)) return;
+    active_[b].mark = sweep_point_number();
+    marked_ = b;
+    ++marked_count_;
+  }
+
+  // A top vertex: no edge leads to it, so its place is searched.
+  void search_above() {
+    const ImagePoint& p = scene_.point(point_.vertex);
+    const BundleId found = active_.find([&](const Bundle& b) { return side_of(b, p) > 0; });
+    left_neighbour_ = found.valid() ? active_.previous(found) : active_.last();
+    right_neighbour_ = found;
+    if (found.valid() && side_of(active_[found], p) == 0) {
+      above_.push_back(found);
+      right_neighbour_ = active_.next(found);
+    }
+  }
+
+  // Bundles through one point are next to each other.
+  void expand_above() {
+    BundleId first = marked_;
+    while (active_.previous(first).valid() && passes_through_point(active_.previous(first)))
+      first = active_.previous(first);
+    left_neighbour_ = active_.previous(first);
+    std::size_t found = 0;
+    BundleId b = first;
+    for (; b.valid() && passes_through_point(b); b = active_.next(b)) {
+      above_.push_back(b);
+      found += is_marked(b) ? 1 : 0;
+    }
+    right_neighbour_ = b;
+    check(found == marked_count_, "the bundles through the point are not next to each other");
+  }
+
+  [[nodiscard]] bool is_marked(BundleId b) const { return active_[b].mark == sweep_point_number(); }
+  [[nodiscard]] std::uint64_t sweep_point_number() const { return result_.statistics.sweep_points + 1; }
+
+  [[nodiscard]] bool passes_through_point(BundleId b) const {
+    return is_marked(b) || (point_.vertex.valid() && side_of(active_[b], scene_.point(point_.vertex)) == 0);
+  }
+
+  // +1 where p is right of the bundle, 0 where it is on it.
+  [[nodiscard]] Sign side_of(const Bundle& bundle, const ImagePoint& p) const {
+    const SceneEdge& e = scene_.edge(bundle.edges.front());
+    return orientation(scene_.point(e.top), scene_.point(e.bottom), p);
+  }
+
+  void remember_segments(const Bundle& bundle) {
+    if (bundle.left_segment.segment.valid()) above_segments_.push_back({bundle.left_segment, true});
+    if (bundle.right_segment.segment.valid()) above_segments_.push_back({bundle.right_segment, false});
+  }
+
+  // The edges that leave the point downwards, left to right; those with one direction are one bundle.
+  void arrange_below() {
+    edges_below_.clear();
+    for (const BundleId b : above_) {
+      for (const EdgeId e : active_[b].edges) {
+        active_.deactivate(e);
+        if (scene_.edge(e).bottom != point_.vertex) edges_below_.push_back(e);
+      }
+    }
+    const auto starting = input_.starting_at(point_.vertex);
+    edges_below_.insert(edges_below_.end(), starting.begin(), starting.end());
+    std::sort(edges_below_.begin(), edges_below_.end(), [this](EdgeId a, EdgeId b) {
+      const Sign turn = input_.turn(a, b);
+      return turn != 0 ? turn > 0 : a < b;
+    });
+  }
+
+  // The entries of the bundles above are used again for those below.
+  void replace_in_active_list() {
+    old_right_list_ = above_.empty() ? NodeList{} : active_[above_.back()].right;
+    below_.clear();
+    BundleId left = left_neighbour_;
+    for (std::size_t begin = 0; begin < edges_below_.size();) {
+      std::size_t end = begin + 1;
+      while (end < edges_below_.size() && input_.turn(edges_below_[begin], edges_below_[end]) == 0) ++end;
+      const BundleId b = below_.size() < above_.size() ? above_[below_.size()] : active_.insert_after(left);
+      active_.set_edges(b, std::span(edges_below_).subspan(begin, end - begin));
+      below_.push_back(b);
+      left = b;
+      begin = end;
+    }
+    for (std::size_t i = below_.size(); i < above_.size(); ++i) active_.erase(above_[i]);
+  }
+
+  // Right of a bundle = left of it, minus the facets that leave, plus those that enter. The last span is the one that
+  // was there before.
+  void update_node_lists() {
+    left_list_ = left_neighbour_.valid() ? active_[left_neighbour_].right : NodeList{};
+    if (above_.empty()) old_right_list_ = left_list_;
+    NodeList list = left_list_;
+    for (const BundleId b : below_) {
+      for (const EdgeId e : active_[b].edges)
+        sides_.insert(sides_.end(), scene_.sides_of(e).begin(), scene_.sides_of(e).end());
+      list.cross(sides_, depth_, order_);
+      sides_.clear();
+      active_[b].right = list;
+    }
+    check(list.same_contents(old_right_list_), "the node lists around the point do not agree");
+    check(right_neighbour_.valid() || old_right_list_.nodes().empty(),
+          "the node list right of the last bundle is not empty");
+    if (list.topmost() != old_right_list_.topmost()) {
+      check(order_ == NodeOrder::depth, "equal node lists have different topmost facets");
+      throw IntransitiveDepth{};
+    }
+    if (!below_.empty()) active_[below_.back()].right = old_right_list_;
+  }
+
+  void queue_crossings() {
+    if (below_.empty()) {
+      queue_crossing(left_neighbour_, right_neighbour_);
+    } else {
+      queue_crossing(left_neighbour_, below_.front());
+      queue_crossing(below_.back(), right_neighbour_);
+    }
+  }
+
+  // Two neighbours that converge and meet strictly inside both. Where one ends on the other, that is a vertex event
+  // already.
+  void queue_crossing(BundleId left, BundleId right) {
+    if (!left.valid() || !right.valid()) return;
+    const EdgeId a = active_[left].edges.front();
+    const EdgeId b = active_[right].edges.front();
+    if (input_.turn(a, b) >= 0) return;
+    const PointId a_end = scene_.edge(a).bottom;
+    const PointId b_end = scene_.edge(b).bottom;
+    const bool cross = a_end < b_end ? side_of(active_[right], scene_.point(a_end)) > 0
+                                     : b_end < a_end && side_of(active_[left], scene_.point(b_end)) < 0;
+    if (!cross) return;
+    queue_.add({crossing_point(scene_.point(scene_.edge(a).top), scene_.point(a_end), scene_.point(scene_.edge(b).top),
+                               scene_.point(b_end)),
+                a, b});
+  }
+
+  void count() {
+    SweepStatistics& statistics = result_.statistics;
+    ++statistics.sweep_points;
+    statistics.crossings += point_.crossings.size();
+    const bool on_edge =
+        point_.vertex.valid() && std::any_of(edges_below_.begin(), edges_below_.end(),
+                                             [this](EdgeId e) { return scene_.edge(e).top != point_.vertex; });
+    const bool degenerate = point_.crossings.size() > 1 || on_edge || edges_below_.size() > below_.size() ||
+                            (point_.vertex.valid() && input_.has_several_vertices(point_.vertex));
+    statistics.degenerate_sweep_points += degenerate ? 1 : 0;
+  }
+
+  void notify() const {
+    const double scale = std::ldexp(1.0, -scene_.grid_bits);
+    SweepObserver::SweepPoint seen;
+    seen.vertex = point_.vertex;
+    if (point_.vertex.valid()) {
+      seen.x = static_cast<double>(scene_.point(point_.vertex).x) * scale;
+      seen.y = static_cast<double>(scene_.point(point_.vertex).y) * scale;
+    } else {
+      seen.x = point_.crossings.front().point.x * scale;
+      seen.y = point_.crossings.front().point.y * scale;
+    }
+    seen.crossings = point_.crossings.size();
+    seen.points_done = point_.next_vertex.index();
+    observer_->at(seen);
+  }
+
+  void check(bool holds, const char* what) const {
+    if (holds) return;
+    const std::string where = point_.vertex.valid() ? "vertex " + std::to_string(point_.vertex.value)
+                              : point_.crossings.empty()
+                                  ? "the end"
+                                  : "the crossing of edges " + std::to_string(point_.crossings.front().a.value) +
+                                        " and " + std::to_string(point_.crossings.front().b.value);
+    throw InternalError(std::string(what) + " (sweep point: " + where + ")");
+  }
+
+  const ProjectedScene& scene_;
+  const NodeOrder order_;
+  SweepObserver* const observer_;
+  const SweepInput input_;
+  EventQueue queue_;
+  ActiveEdgeList active_;
+  DepthOrder depth_;
+  VisibleSegments result_;
+  SegmentRecorder recorder_;
+
+  // Of the current sweep point:
+  SweepPoint point_;
+  BundleId left_neighbour_, right_neighbour_;
+  BundleId marked_;  // one of the bundles with edges that end or cross here
+  std::size_t marked_count_ = 0;
+  std::vector<BundleId> above_, below_;
+  std::vector<AboveSegment> above_segments_;
+  std::vector<EdgeId> edges_below_;
+  std::vector<EdgeSide> sides_;
+  NodeList left_list_, old_right_list_;
+};
+
+}  // namespace
+
+VisibleSegments sweep(const Mesh& mesh, const ProjectedScene& scene, SweepObserver* observer) {
+  try {
+    return Sweep(mesh, scene, NodeOrder::depth, observer).run();
+  } catch (const IntransitiveDepth&) {
+    return Sweep(mesh, scene, NodeOrder::tournament, observer).run();
+  }
+}
+
+}  // namespace sightline

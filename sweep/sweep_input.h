@@ -1,0 +1,50 @@
+// Tables over the projected scene that the sweep looks things up in.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <vector>
+
+#include "geometry/mesh.h"
+#include "geometry/projected_scene.h"
+
+namespace sightline {
+
+class SweepInput {
+ public:
+  SweepInput(const Mesh& mesh, const ProjectedScene& scene);
+
+  // The edges with this vertex as their lower (upper) end; none for an invalid vertex.
+  [[nodiscard]] std::span<const EdgeId> ending_at(PointId p) const { return range(by_bottom_, bottom_begin_, p); }
+  [[nodiscard]] std::span<const EdgeId> starting_at(PointId p) const { return range(by_top_, top_begin_, p); }
+
+  // +1 where, below a common point, a lies left of b; 0 where they lie on each other.
+  [[nodiscard]] Sign turn(EdgeId a, EdgeId b) const {
+    const ImagePoint& u = direction_[a.index()];
+    const ImagePoint& v = direction_[b.index()];
+    return sign_of(static_cast<Int128>(u.x) * v.y - static_cast<Int128>(u.y) * v.x);
+  }
+
+  // Whether vertices at different positions of the input fall on this point.
+  [[nodiscard]] bool has_several_vertices(PointId p) const { return several_vertices_[p.index()] != 0; }
+
+  // The faces of pairs of facets; sorted, distinct.
+  [[nodiscard]] std::vector<std::array<FaceId, 2>> faces_of(const std::vector<std::array<FacetId, 2>>& pairs) const;
+
+ private:
+  static std::span<const EdgeId> range(const std::vector<EdgeId>& edges, const std::vector<std::uint32_t>& begin,
+                                       PointId p) {
+    if (!p.valid()) return {};
+    return std::span(edges).subspan(begin[p.index()], begin[p.index() + 1] - begin[p.index()]);
+  }
+  void find_several_vertices(const Mesh& mesh, const ProjectedScene& scene);
+
+  const Mesh& mesh_;
+  std::vector<EdgeId> by_top_, by_bottom_;
+  std::vector<std::uint32_t> top_begin_, bottom_begin_;
+  std::vector<ImagePoint> direction_;  // per edge: bottom - top
+  std::vector<std::uint8_t> several_vertices_;
+};
+
+}  // namespace sightline
