@@ -1,0 +1,86 @@
+#include "reconstruct/edge_points.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "geometry/errors.h"
+#include "reconstruct/lift.h"
+
+namespace sightline {
+
+EdgePoints::EdgePoints(const Mesh& mesh, const ProjectedScene& scene, std::span<const std::uint8_t> is_inside,
+                       const VisibleSegments& segments, const ImagePoints& points, std::vector<Point3>& vertices)
+    : in_view_(mesh.edges.size()), begin_(mesh.edges.size() + 1, 0) {
+  find_in_view(mesh, scene);
+  auto found = candidates(scene, is_inside, segments);
+  std::sort(found.begin(), found.end(), [&](const Candidate& a, const Candidate& b) {
+    if (a.edge != b.edge) return a.edge < b.edge;
+    if (a.point != b.point) return before_on_edge(a, b, points);
+    const auto key = [](const Candidate& c) {
+      const Point3 p = c.cut != nullptr ? c.cut->position : Point3{};
+      return std::tuple(c.cut == nullptr, p.x, p.y, p.z);
+    };
+    return key(a) < key(b);
+  });
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (i > 0 && found[i].edge == found[i - 1].edge && found[i].point == found[i - 1].point) continue;
+    points_.push_back({found[i].point, VertexId(vertices.size())});
+    vertices.push_back(position(found[i], scene, points));
+    ++begin_[found[i].edge.index() + 1];
+  }
+  for (std::size_t e = 1; e < begin_.size(); ++e) begin_[e] += begin_[e - 1];
+}
+
+VertexId EdgePoints::vertex(MeshEdgeId edge, PointId p) const {
+  for (const EdgePoint& candidate : on(edge)) {
+    if (candidate.point == p) return candidate.vertex;
+  }
+  throw InternalError("mesh edge " + std::to_string(edge.value) + " is not split at point " + std::to_string(p.value));
+}
+
+// A facet runs along its edges from corner to corner; clipping keeps that direction.
+void EdgePoints::find_in_view(const Mesh& mesh, const ProjectedScene& scene) {
+  for (std::size_t f = 0; f < mesh.facet_count(); ++f) {
+    const auto corners = mesh.corners(FacetId(f));
+    const auto edges = mesh.edges_of(FacetId(f));
+    const auto polygon = scene.polygon(FacetId(f));
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const MeshEdgeId e = polygon[i].edge_after;
+      if (!e.valid()) continue;
+      const auto place = static_cast<std::size_t>(std::find(edges.begin(), edges.end(), e) - edges.begin());
+      const bool forward = mesh.weld[corners[place].index()] == mesh.edges[e.index()][0];
+      const ClippedCorner* from = &polygon[i];
+      const ClippedCorner* to = &polygon[i + 1 == polygon.size() ? 0 : i + 1];
+      in_view_[e.index()] = forward ? InView{from, to} : InView{to, from};
+    }
+  }
+}
+
+std::vector<EdgePoints::Candidate> EdgePoints::candidates(const ProjectedScene& scene,
+                                                          std::span<const std::uint8_t> is_inside,
+                                                          const VisibleSegments& segments) {
+  std::vector<Candidate> found;
+  for (const ClippedCorner& corner : scene.polygon_corners) {
+    if (corner.on_edge.valid()) found.push_back({corner.on_edge, corner.point, &corner});
+  }
+  for (const EdgeSplit& split : segments.splits) {
+    if (split.mesh_edge.valid() && is_inside[split.mesh_edge.index()] == 0)
+      found.push_back({split.mesh_edge, split.point, nullptr});
+  }
+  return found;
+}
+
+// What is in view of an edge is one straight piece, and its points lie on it in sweep order or in the opposite order.
+bool EdgePoints::before_on_edge(const Candidate& a, const Candidate& b, const ImagePoints& points) const {
+  const InView& view = in_view_[a.edge.index()];
+  const bool downwards = view.from == nullptr || points.sweeps_before(view.from->point, view.to->point);
+  return downwards ? points.sweeps_before(a.point, b.point) : points.sweeps_before(b.point, a.point);
+}
+
+Point3 EdgePoints::position(const Candidate& c, const ProjectedScene& scene, const ImagePoints& points) const {
+  if (c.cut != nullptr) return c.cut->position;
+  const InView& view = in_view_[c.edge.index()];
+  return lift_on_edge(scene, points, *view.from, *view.to, c.point);
+}
+
+}  // namespace sightline

@@ -1,0 +1,274 @@
+#include "reconstruct/labelled_mesh.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "geometry/errors.h"
+#include "geometry/facet_plane.h"
+#include "reconstruct/edge_points.h"
+#include "reconstruct/facet_border.h"
+#include "reconstruct/lift.h"
+#include "reconstruct/outside_pieces.h"
+#include "reconstruct/visible_pieces.h"
+#include "sweep/image_points.h"
+
+namespace sightline {
+namespace {
+
+// Per mesh edge: whether all its facets belong to one planar face, so that it is no border of it.
+std::vector<std::uint8_t> edges_inside_planar_faces(const Mesh& mesh) {
+  std::vector<FaceId> face(mesh.edges.size());
+  std::vector<std::uint32_t> facets(mesh.edges.size(), 0);
+  std::vector<std::uint8_t> inside(mesh.edges.size(), 1);
+  for (std::size_t f = 0; f < mesh.facet_count(); ++f) {
+    const FaceId own = mesh.facet_face[f];
+    for (const MeshEdgeId e : mesh.edges_of(FacetId(f))) {
+      if (!face[e.index()].valid()) face[e.index()] = own;
+      if (face[e.index()] != own || mesh.face_planar[own.index()] == 0) inside[e.index()] = 0;
+      ++facets[e.index()];
+    }
+  }
+  for (std::size_t e = 0; e < inside.size(); ++e) inside[e] = facets[e] > 1 ? inside[e] : 0;
+  return inside;
+}
+
+// Whether the rounded polygon is still convex and turns as the facet does. Where it is not, the facet is narrower than
+// the grid.
+bool is_proper(const ProjectedScene& scene, FacetId facet) {
+  const Sign turn = scene.facing[facet.index()] == Facing::back ? -1 : 1;
+  std::vector<ImagePoint> p;
+  for (const ClippedCorner& corner : scene.polygon(facet)) {
+    if (p.empty() || p.back() != scene.point(corner.point)) p.push_back(scene.point(corner.point));
+  }
+  while (p.size() > 1 && p.front() == p.back()) p.pop_back();
+  bool turns = false;
+  int descents = 0;  // how often the border begins to run down the sweep order: once around a convex polygon
+  for (std::size_t i = 0; i < p.size() && p.size() > 2; ++i) {
+    const ImagePoint& b = p[(i + 1) % p.size()];
+    const ImagePoint& c = p[(i + 2) % p.size()];
+    const Sign o = orientation(p[i], b, c) * turn;
+    if (o < 0) return false;
+    turns = turns || o > 0;
+    descents += sweeps_before(b, p[i]) && sweeps_before(b, c) ? 1 : 0;
+  }
+  return turns && descents == 1;
+}
+
+// The vertices inside one surface: in its facets' interior, or where the view volume's border cuts them.
+class SurfaceVertices : public InnerVertices {
+ public:
+  SurfaceVertices(const Mesh& mesh, const ProjectedScene& scene, const ImagePoints& points,
+                  std::vector<Point3>& vertices)
+      : mesh_(mesh), scene_(scene), points_(points), vertices_(vertices) {}
+
+  void begin(FacetId surface) {
+    surface_ = surface;
+    known_.clear();
+  }
+
+  VertexId at(PointId p, std::optional<Point3> position) override {
+    const auto place = std::lower_bound(known_.begin(), known_.end(), std::pair{p, VertexId{}},
+                                        [](const auto& a, const auto& b) { return a.first < b.first; });
+    if (place != known_.end() && place->first == p) return place->second;
+    const VertexId vertex(vertices_.size());
+    known_.insert(place, {p, vertex});
+    vertices_.push_back(position ? *position : lift(p));
+    return vertex;
+  }
+
+ private:
+  [[nodiscard]] Point3 lift(PointId p) const {
+    const FaceId face = mesh_.facet_face[surface_.index()];
+    const bool whole_face = mesh_.face_planar[face.index()] != 0;
+    const std::size_t end = whole_face ? mesh_.end_facet(face) : surface_.index() + 1;
+    for (std::size_t f = surface_.index(); f < end; ++f) {
+      if (const auto lifted = lift_on_facet(scene_, points_, FacetId(f), p)) return *lifted;
+    }
+    throw InternalError("point " + std::to_string(p.value) + " is not on face " + std::to_string(face.value));
+  }
+
+  const Mesh& mesh_;
+  const ProjectedScene& scene_;
+  const ImagePoints& points_;
+  std::vector<Point3>& vertices_;
+  FacetId surface_;
+  std::vector<std::pair<PointId, VertexId>> known_;  // sorted
+};
+
+class Labeller {
+ public:
+  Labeller(const Mesh& mesh, const ProjectedScene& scene, const VisibleSegments& segments,
+           const VisiblePolygons& polygons)
+      : mesh_(mesh),
+        scene_(scene),
+        segments_(segments),
+        polygons_(polygons),
+        points_(scene, segments),
+        inside_(edges_inside_planar_faces(mesh)),
+        result_{mesh.vertices, {}},
+        edge_points_(mesh, scene, inside_, segments, points_, result_.vertices),
+        inner_(mesh, scene, points_, result_.vertices) {
+    const auto first_border_split = std::partition_point(segments.splits.begin(), segments.splits.end(),
+                                                         [](const EdgeSplit& s) { return s.mesh_edge.valid(); });
+    border_splits_.assign(first_border_split, segments.splits.end());
+    std::sort(border_splits_.begin(), border_splits_.end(), by_facet);
+  }
+
+  LabelledMesh run() {
+    for (std::size_t face = 0; face < mesh_.face_count(); ++face) {
+      const std::size_t begin = mesh_.first_facet(FaceId(face));
+      const std::size_t end = mesh_.end_facet(FaceId(face));
+      if (mesh_.face_planar[face] != 0) {
+        if (begin != end) add_surface(begin, end);
+      } else {
+        for (std::size_t f = begin; f < end; ++f) add_surface(f, f + 1);
+      }
+    }
+    return std::move(result_);
+  }
+
+ private:
+  static bool by_facet(const EdgeSplit& a, const EdgeSplit& b) { return a.facet < b.facet; }
+
+  // The facets [begin, end) are one surface.
+  void add_surface(std::size_t begin, std::size_t end) {
+    const FacetId surface(begin);
+    inner_.begin(surface);
+    const std::vector<SegmentId> visible = visible_segments_of(surface);
+    const bool all_proper = end - begin > 1 || is_proper(scene_, surface);
+    if (!visible.empty() && all_proper && !is_whole(visible, begin, end)) {
+      add_partly_visible(begin, end, visible);
+      return;
+    }
+    for (std::size_t f = begin; f < end; ++f) add_uniform(FacetId(f), !visible.empty() && all_proper);
+  }
+
+  // Of the polygons above resolution. Polygons are sorted by their surface.
+  std::vector<SegmentId> visible_segments_of(FacetId surface) {
+    std::vector<SegmentId> result;
+    const auto& all = polygons_.polygons;
+    while (next_polygon_ < all.size() && all[next_polygon_].facet < surface) ++next_polygon_;
+    for (; next_polygon_ < all.size() && all[next_polygon_].facet == surface; ++next_polygon_) {
+      const VisiblePolygon& polygon = all[next_polygon_];
+      if (polygon.below_resolution) continue;
+      for (std::size_t r = polygon.first_ring; r < polygon.first_ring + polygon.ring_count; ++r) {
+        const auto ring = polygons_.ring(r);
+        result.insert(result.end(), ring.begin(), ring.end());
+      }
+    }
+    return result;
+  }
+
+  // A ring that runs along the border of one convex polygon only is that border.
+  [[nodiscard]] bool is_whole(const std::vector<SegmentId>& visible, std::size_t begin, std::size_t end) const {
+    if (end - begin > 1) return false;
+    return std::all_of(visible.begin(), visible.end(), [&](SegmentId s) {
+      const auto sides = scene_.sides_of(segments_.segments[s.index()].edge);
+      return std::any_of(sides.begin(), sides.end(), [&](const EdgeSide& side) { return side.facet.index() == begin; });
+    });
+  }
+
+  [[nodiscard]] bool is_clipped(FacetId f) const {
+    const auto polygon = scene_.polygon(f);
+    return std::any_of(polygon.begin(), polygon.end(), [](const ClippedCorner& c) { return !c.vertex.valid(); });
+  }
+
+  // A facet whose part in view is all visible or not at all.
+  void add_uniform(FacetId f, bool seen) {
+    const bool front = scene_.facing[f.index()] == Facing::front;
+    const bool in_view = scene_.status[f.index()] == Status::in_view;
+    const Label hidden = front ? (in_view ? Label::hidden : Label::out_of_view) : Label::back_facing;
+    const Label inside = seen && front ? Label::visible : hidden;
+    if (!in_view || !is_clipped(f) || (!front && !seen)) {
+      add_convex(f, facet_border(mesh_, edge_points_, f), inside, seen);
+      return;
+    }
+    std::vector<BorderPoint> border;
+    for (const ViewBorderPoint& p : view_border(mesh_, scene_, points_, edge_points_, f, {}, inner_))
+      border.push_back(p.border);
+    add_convex(f, border, inside, seen);
+    add_outside(f, {});
+  }
+
+  void add_partly_visible(std::size_t begin, std::size_t end, const std::vector<SegmentId>& visible) {
+    const bool front = scene_.facing[begin] == Facing::front;
+    SurfaceInView surface{FacetId(begin), !front, {}, visible};
+    for (std::size_t f = begin; f < end; ++f) {
+      if (scene_.status[f] != Status::in_view) continue;
+      surface.borders.push_back(
+          view_border(mesh_, scene_, points_, edge_points_, FacetId(f), border_splits_of(FacetId(f)), inner_));
+    }
+    for (const Piece& piece :
+         visible_pieces(mesh_, points_, segments_, surface, edge_points_, inside_, result_.vertices, scene_, inner_)) {
+      const Label label = !front ? Label::back_facing : (piece.visible ? Label::visible : Label::hidden);
+      add_triangle(FacetId(begin), piece.corners, label, piece.visible);
+    }
+    for (std::size_t f = begin; f < end; ++f) {
+      if (scene_.status[f] != Status::in_view) {
+        add_uniform(FacetId(f), false);
+      } else if (is_clipped(FacetId(f))) {
+        add_outside(FacetId(f), border_splits_of(FacetId(f)));
+      }
+    }
+  }
+
+  [[nodiscard]] std::span<const EdgeSplit> border_splits_of(FacetId f) const {
+    const auto [first, last] =
+        std::equal_range(border_splits_.begin(), border_splits_.end(), EdgeSplit{{}, f, {}, {}}, by_facet);
+    return {first, last};
+  }
+
+  void add_outside(FacetId f, std::span<const EdgeSplit> splits) {
+    const Label label = scene_.facing[f.index()] == Facing::front ? Label::out_of_view : Label::back_facing;
+    for (const auto& corners : outside_pieces(mesh_, scene_, points_, edge_points_, f, splits, inner_)) {
+      add_triangle(f, corners, label, false);
+    }
+  }
+
+  void add_convex(FacetId f, const std::vector<BorderPoint>& border, Label label, bool seen) {
+    std::vector<std::uint32_t> sides;
+    for (const BorderPoint& p : border) sides.push_back(p.side);
+    std::sort(sides.begin(), sides.end());
+    if (std::unique(sides.begin(), sides.end()) - sides.begin() < 3) return;
+    for (const auto& corners : convex_pieces(border)) add_triangle(f, corners, label, seen);
+  }
+
+  void add_triangle(FacetId f, const std::array<VertexId, 3>& corners, Label label, bool seen) {
+    result_.triangles.push_back({corners, mesh_.facet_face[f.index()], label, seen});
+  }
+
+  const Mesh& mesh_;
+  const ProjectedScene& scene_;
+  const VisibleSegments& segments_;
+  const VisiblePolygons& polygons_;
+  const ImagePoints points_;
+  const std::vector<std::uint8_t> inside_;
+  LabelledMesh result_;
+  const EdgePoints edge_points_;
+  SurfaceVertices inner_;
+  std::vector<EdgeSplit> border_splits_;  // along the view volume's border, by facet
+  std::size_t next_polygon_ = 0;
+};
+
+}  // namespace
+
+const char* to_string(Label label) {
+  switch (label) {
+    case Label::back_facing:
+      return "back_facing";
+    case Label::out_of_view:
+      return "out_of_view";
+    case Label::hidden:
+      return "hidden";
+    case Label::visible:
+      return "visible";
+  }
+  return "";
+}
+
+LabelledMesh label_mesh(const Mesh& mesh, const ProjectedScene& scene, const VisibleSegments& segments,
+                        const VisiblePolygons& polygons) {
+  return Labeller(mesh, scene, segments, polygons).run();
+}
+
+}  // namespace sightline

@@ -1,0 +1,54 @@
+// The labelled surface: the whole input surface, refined so that every triangle is wholly one thing.
+//
+// In:  mesh, projected scene, visible segments and polygons. Out: LabelledMesh.
+// Holds (validate(labelled, mesh) checks it):
+//   - the first vertices are the input's, bit for bit and in order;
+//   - the triangles of a face have its orientation, and together its area;
+//   - conforming: what splits an edge splits it for all faces on it, so that a mesh edge with two faces yields pieces
+//   with
+//     two triangles each; closed in, closed out;
+//   - skipped faces have no triangle.
+// Complexity: O(n log n) plus a constrained Delaunay triangulation per face that is seen in part.
+// Source: Koucky 2014, 3.8 (retriangulation, no points that only a hidden part needs).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "geometry/mesh.h"
+#include "geometry/projected_scene.h"
+#include "reconstruct/visible_polygons.h"
+#include "sweep/visible_segments.h"
+
+namespace sightline {
+
+// A label that is not listed here does not exist; the values are those of the files.
+enum class Label : std::uint8_t {
+  back_facing = 0,  // its face is seen from behind, or edge-on
+  out_of_view = 1,  // outside the view volume
+  hidden = 2,       // in the view volume, facing the camera, behind something else (or below resolution)
+  visible = 3,
+};
+[[nodiscard]] const char* to_string(Label label);
+
+struct LabelledTriangle {
+  std::array<VertexId, 3> corners;  // into LabelledMesh::vertices
+  FaceId face;
+  Label label = Label::hidden;
+  bool seen = false;  // the camera sees it: label visible, or a piece of a back-facing face that nothing hides
+};
+
+struct LabelledMesh {
+  std::vector<Point3> vertices;
+  std::vector<LabelledTriangle> triangles;  // by face
+};
+
+[[nodiscard]] LabelledMesh label_mesh(const Mesh& mesh, const ProjectedScene& scene, const VisibleSegments& segments,
+                                      const VisiblePolygons& polygons);
+
+// What of the above does not hold, one line each, with the ids; empty for a valid value.
+[[nodiscard]] std::vector<std::string> validate(const LabelledMesh& labelled, const Mesh& mesh);
+
+}  // namespace sightline

@@ -1,0 +1,73 @@
+#include "reconstruct/lift.h"
+
+#include <array>
+#include <tuple>
+
+namespace sightline {
+namespace {
+
+double quotient(const Wide512& numerator, const Wide512& denominator) {
+  return static_cast<double>(numerator) / static_cast<double>(denominator);
+}
+
+// Twice the area of a, b, p, times p's denominator.
+Wide512 scaled_area(const ImagePoint& a, const ImagePoint& b, const ExactPoint& p) {
+  const Wide512 constant = Wide512(static_cast<Int128>(a.x) * b.y - static_cast<Int128>(a.y) * b.x);
+  return p.x * Wide512(a.y - b.y) + p.y * Wide512(b.x - a.x) + p.denominator * constant;
+}
+
+bool position_before(const Point3& a, const Point3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); }
+
+// The point at image fraction s between a and b: perspective weights turn it into the fraction on the edge.
+Point3 between(const ClippedCorner& a, const ClippedCorner& b, double s) {
+  const double t = s * a.w / ((1 - s) * b.w + s * a.w);
+  return a.position + t * (b.position - a.position);
+}
+
+// Barycentric in the image, divided by W, is barycentric on the facet up to a factor.
+Point3 in_triangle(const std::array<const ClippedCorner*, 3>& corners, const std::array<Wide512, 3>& areas) {
+  const double weight0 = static_cast<double>(areas[0]) / corners[0]->w;
+  const double weight1 = static_cast<double>(areas[1]) / corners[1]->w;
+  const double weight2 = static_cast<double>(areas[2]) / corners[2]->w;
+  const double sum = (weight0 + weight1) + weight2;
+  const Point3& origin = corners[0]->position;
+  return origin +
+         ((weight1 / sum) * (corners[1]->position - origin) + (weight2 / sum) * (corners[2]->position - origin));
+}
+
+}  // namespace
+
+Point3 lift_on_edge(const ProjectedScene& scene, const ImagePoints& points, const ClippedCorner& from,
+                    const ClippedCorner& to, PointId p) {
+  const bool swap = position_before(to.position, from.position);
+  const ClippedCorner& a = swap ? to : from;
+  const ClippedCorner& b = swap ? from : to;
+  const ImagePoint& image_a = scene.point(a.point);
+  const ImagePoint& image_b = scene.point(b.point);
+  const ExactPoint exact = points.exact(p);
+  const std::int64_t dx = image_b.x - image_a.x;
+  const std::int64_t dy = image_b.y - image_a.y;
+  const double s = std::abs(dx) > std::abs(dy)
+                       ? quotient(exact.x - Wide512(image_a.x) * exact.denominator, Wide512(dx) * exact.denominator)
+                       : quotient(exact.y - Wide512(image_a.y) * exact.denominator, Wide512(dy) * exact.denominator);
+  return between(a, b, s);
+}
+
+// The polygon as a fan of triangles around its first corner.
+std::optional<Point3> lift_on_facet(const ProjectedScene& scene, const ImagePoints& points, FacetId facet, PointId p) {
+  const auto polygon = scene.polygon(facet);
+  const ExactPoint exact = points.exact(p);
+  const auto image = [&](std::size_t i) { return scene.point(polygon[i].point); };
+  for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
+    const Sign turn = orientation(image(0), image(i), image(i + 1));
+    if (turn == 0) continue;
+    const std::array<Wide512, 3> areas{Wide512(turn * scaled_area(image(i), image(i + 1), exact)),
+                                       Wide512(turn * scaled_area(image(i + 1), image(0), exact)),
+                                       Wide512(turn * scaled_area(image(0), image(i), exact))};
+    if (areas[0] < 0 || areas[1] < 0 || areas[2] < 0) continue;
+    return in_triangle({&polygon[0], &polygon[i], &polygon[i + 1]}, areas);
+  }
+  return std::nullopt;
+}
+
+}  // namespace sightline

@@ -1,0 +1,43 @@
+// The part of a surface in view, in triangles that are each wholly visible or wholly hidden.
+//
+// In:  the borders of the surface's facets in view, and its visible polygons. Out: triangles in the surface's
+// orientation. A constrained Delaunay triangulation (in the surface's own plane) of the border and the visible rings,
+// whose structure is decided exactly in the image. A region between constraints is visible where a ring has it on its
+// left, outside where only the border has it on its right, else hidden; so no point enters that neither the border nor
+// a visible ring needs. Where several vertices of the border fall on one image point, one stands for all in the
+// triangulation, and triangles without area in the image join it with the others. Errors: InternalError where the
+// rounded border of a face with several facets crosses itself. Source: Koucky 2014, 3.8 (both triangulations in one:
+// only points that visible parts need).
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "geometry/mesh.h"
+#include "geometry/projected_scene.h"
+#include "reconstruct/facet_border.h"
+#include "reconstruct/visible_polygons.h"
+
+namespace sightline {
+
+struct Piece {
+  std::array<VertexId, 3> corners;
+  bool visible = false;
+};
+
+struct SurfaceInView {
+  FacetId surface;
+  bool back_facing = false;
+  std::vector<std::vector<ViewBorderPoint>> borders;  // per facet in view
+  std::vector<SegmentId> visible;                     // the segments of its visible polygons
+};
+
+// is_inside: per mesh edge, whether it lies inside a planar face and is no border. vertices: of the labelled surface.
+[[nodiscard]] std::vector<Piece> visible_pieces(const Mesh& mesh, const ImagePoints& points,
+                                                const VisibleSegments& segments, const SurfaceInView& surface,
+                                                const EdgePoints& edge_points, std::span<const std::uint8_t> is_inside,
+                                                const std::vector<Point3>& vertices, const ProjectedScene& scene,
+                                                InnerVertices& inner);
+
+}  // namespace sightline
