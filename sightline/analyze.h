@@ -1,0 +1,34 @@
+// Mesh and camera in, everything sightline knows about the view out: the stages, one after the other.
+//
+// Source: DESIGN.md section 2. Errors: InternalError.
+#pragma once
+
+#include "geometry/camera.h"
+#include "geometry/culling.h"
+#include "geometry/mesh.h"
+#include "geometry/projected_scene.h"
+#include "reconstruct/labelled_mesh.h"
+#include "reconstruct/visible_polygons.h"
+#include "sweep/sweep.h"
+#include "sweep/visible_segments.h"
+
+namespace sightline {
+
+struct View {
+  ProjectedScene scene;
+  VisibleSegments segments;
+  VisiblePolygons polygons;
+  LabelledMesh labelled;
+};
+
+[[nodiscard]] inline View analyze(const Mesh& mesh, const Camera& camera, Sides sides = Sides::both,
+                                  SweepObserver* observer = nullptr) {
+  View view;
+  view.scene = project(mesh, camera, sides);
+  view.segments = sweep(mesh, view.scene, observer);
+  view.polygons = reconstruct_polygons(mesh, view.scene, view.segments);
+  view.labelled = label_mesh(mesh, view.scene, view.segments, view.polygons);
+  return view;
+}
+
+}  // namespace sightline
