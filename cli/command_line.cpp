@@ -1,0 +1,133 @@
+#include "cli/command_line.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cmath>
+#include <string_view>
+#include <vector>
+
+#include "cli/scene_file.h"
+
+namespace sightline {
+
+namespace {
+
+// The options as texts: numbers are parsed here and not by CLI11, which goes through the locale.
+struct AnalyzeTexts {
+  std::string input, output, sides, eye, target, up, fov_y, aspect;
+  bool json = false;
+  bool quiet = false;
+};
+
+double parsed_number(std::string_view text, std::string_view option) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) {
+    throw CommandLineError(fmt::format("{}: '{}' is not a number", option, text));
+  }
+  return value;
+}
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(separator, begin), text.size());
+    parts.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return parts;
+}
+
+Vector3 parsed_vector(std::string_view text, std::string_view option) {
+  const auto parts = split(text, ',');
+  if (parts.size() != 3) throw CommandLineError(fmt::format("{}: '{}' is not of the form X,Y,Z", option, text));
+  return {parsed_number(parts[0], option), parsed_number(parts[1], option), parsed_number(parts[2], option)};
+}
+
+Camera camera_of(const AnalyzeTexts& texts) {
+  if (texts.eye.empty() || texts.target.empty() || texts.fov_y.empty()) {
+    throw CommandLineError("a mesh needs a camera: give --eye, --target and --fov-y, or a scene file (.toml)");
+  }
+  ViewPoint view;
+  view.eye = parsed_vector(texts.eye, "--eye");
+  view.target = parsed_vector(texts.target, "--target");
+  if (!texts.up.empty()) view.up = parsed_vector(texts.up, "--up");
+  if (!texts.aspect.empty()) view.aspect = parsed_number(texts.aspect, "--aspect");
+  try {
+    return perspective_camera("view", view, parsed_number(texts.fov_y, "--fov-y"));
+  } catch (const CameraError& error) {
+    throw CommandLineError(error.what());
+  }
+}
+
+void refuse_camera(const AnalyzeTexts& texts) {
+  for (const std::string* text : {&texts.eye, &texts.target, &texts.up, &texts.fov_y, &texts.aspect}) {
+    if (!text->empty()) {
+      throw CommandLineError(
+          "--eye, --target, --up, --fov-y and --aspect go with a mesh; a scene file has its own cameras");
+    }
+  }
+}
+
+AnalyzeOptions options_of(const AnalyzeTexts& texts) {
+  AnalyzeOptions options;
+  options.input = texts.input;
+  if (!texts.output.empty()) options.output = texts.output;
+  if (!options.output && !texts.json)
+    throw CommandLineError("give -o DIR for the results, or --json for the report alone");
+  if (!texts.sides.empty()) {
+    options.sides = sides_policy(texts.sides);
+    if (!options.sides) throw CommandLineError(fmt::format("--sides: '{}' is not auto, front or both", texts.sides));
+  }
+  options.json = texts.json;
+  options.quiet = texts.quiet;
+  if (options.input_is_scene()) {
+    refuse_camera(texts);
+  } else {
+    options.camera = camera_of(texts);
+  }
+  return options;
+}
+
+void declare_analyze(CLI::App& analyze, AnalyzeTexts& texts) {
+  analyze.add_option("input", texts.input, "a scene file (.toml), or a mesh (.obj) with a camera from the options")
+      ->required()
+      ->type_name("SCENE.toml|MESH.obj");
+  analyze.add_option("--eye", texts.eye, "where the camera is")->type_name("X,Y,Z");
+  analyze.add_option("--target", texts.target, "what it looks at")->type_name("X,Y,Z");
+  analyze.add_option("--up", texts.up, "what is up (0,1,0)")->type_name("X,Y,Z");
+  analyze.add_option("--fov-y", texts.fov_y, "vertical field of view in degrees")->type_name("DEG");
+  analyze.add_option("--aspect", texts.aspect, "the window's width over its height (1)")->type_name("R");
+  analyze.add_option("--sides", texts.sides, "which sides of faces count (auto)")->type_name("auto|front|both");
+  analyze.add_option("-o,--output", texts.output, "folder for the results, one folder in it per camera")
+      ->type_name("DIR");
+  analyze.add_flag("--json", texts.json, "print the report on standard output");
+  analyze.add_flag("--quiet", texts.quiet, "neither progress nor summary");
+}
+
+}  // namespace
+
+bool AnalyzeOptions::input_is_scene() const { return input.ends_with(".toml") || input.ends_with(".TOML"); }
+
+std::variant<AnalyzeOptions, RequestedText> parse_command_line(int argc, const char* const* argv) {
+  CLI::App app("sightline: exactly which part of every triangle of a surface a camera sees", "sightline");
+  app.set_version_flag("--version", "sightline " SIGHTLINE_VERSION);
+  app.require_subcommand(1);
+  CLI::App* analyze = app.add_subcommand("analyze", "Label a mesh with what each camera sees of it");
+  AnalyzeTexts texts;
+  declare_analyze(*analyze, texts);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    return RequestedText{app.help()};
+  } catch (const CLI::CallForVersion& version) {
+    return RequestedText{std::string(version.what()) + "\n"};
+  } catch (const CLI::ParseError& error) {
+    throw CommandLineError(error.what());
+  }
+  return options_of(texts);
+}
+
+}  // namespace sightline

@@ -1,0 +1,38 @@
+// The command line: sightline analyze SCENE.toml|MESH.obj ...
+//
+// In:  the arguments. Out: what to do, or a text that was asked for (help, version).
+// Errors: CommandLineError, one line.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "cli/scene.h"
+#include "geometry/errors.h"
+
+namespace sightline {
+
+class CommandLineError : public Error {
+  using Error::Error;
+};
+
+struct AnalyzeOptions {
+  std::string input;                  // a scene file where it ends in .toml, else a mesh
+  std::optional<std::string> output;  // the folder for the results; none: no files, which needs json
+  std::optional<SidesPolicy> sides;   // instead of the scene file's
+  std::optional<Camera> camera;       // set where the input is a mesh
+  bool json = false;
+  bool quiet = false;
+
+  [[nodiscard]] bool input_is_scene() const;
+};
+
+// What --help or --version asked for; print it and be done.
+struct RequestedText {
+  std::string text;
+};
+
+[[nodiscard]] std::variant<AnalyzeOptions, RequestedText> parse_command_line(int argc, const char* const* argv);
+
+}  // namespace sightline

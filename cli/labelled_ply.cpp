@@ -1,0 +1,66 @@
+#include "cli/labelled_ply.h"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <cstring>
+
+namespace sightline {
+
+namespace {
+
+// The comments name the values of the property label.
+std::string header(const LabelledMesh& labelled) {
+  std::string labels;
+  for (const Label label : {Label::back_facing, Label::out_of_view, Label::hidden, Label::visible}) {
+    labels += fmt::format("comment label {} = {}\n", static_cast<int>(label), to_string(label));
+  }
+  return fmt::format(
+      "ply\nformat binary_little_endian 1.0\ncomment sightline: face = index of the input face\n{}"
+      "comment seen 1 = the camera sees it, from the front or from behind\nelement vertex {}\n"
+      "property double x\nproperty double y\nproperty double z\nelement face {}\n"
+      "property list uchar int vertex_indices\nproperty int face\nproperty uchar label\nproperty uchar "
+      "seen\nend_header\n",
+      labels, labelled.vertices.size(), labelled.triangles.size());
+}
+
+// Little endian, whatever the machine is.
+template <class Unsigned>
+char* put(char* at, Unsigned value) {
+  if constexpr (std::endian::native == std::endian::little) {
+    std::memcpy(at, &value, sizeof value);
+  } else {
+    for (std::size_t i = 0; i < sizeof value; ++i) at[i] = static_cast<char>(value >> (8 * i) & 0xFF);
+  }
+  return at + sizeof value;
+}
+
+char* put(char* at, const Point3& p) {
+  for (const double coordinate : {p.x, p.y, p.z}) at = put(at, std::bit_cast<std::uint64_t>(coordinate));
+  return at;
+}
+
+char* put(char* at, const LabelledTriangle& triangle) {
+  at = put(at, std::uint8_t{3});
+  for (const VertexId corner : triangle.corners) at = put(at, corner.value);
+  at = put(at, triangle.face.value);
+  at = put(at, static_cast<std::uint8_t>(triangle.label));
+  return put(at, static_cast<std::uint8_t>(triangle.seen ? 1 : 0));
+}
+
+constexpr std::size_t vertex_bytes = 3 * 8;
+constexpr std::size_t triangle_bytes = 1 + 3 * 4 + 4 + 1 + 1;
+
+}  // namespace
+
+std::string labelled_ply(const LabelledMesh& labelled) {
+  std::string out = header(labelled);
+  const std::size_t body = out.size();
+  out.resize(body + vertex_bytes * labelled.vertices.size() + triangle_bytes * labelled.triangles.size());
+  char* at = out.data() + body;
+  for (const Point3& p : labelled.vertices) at = put(at, p);
+  for (const LabelledTriangle& triangle : labelled.triangles) at = put(at, triangle);
+  return out;
+}
+
+}  // namespace sightline

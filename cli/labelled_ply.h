@@ -1,0 +1,15 @@
+// labelled.ply: the refined surface as binary little-endian PLY.
+//
+// vertex: double x, y, z (the first ones are the input's, in order). face: list uchar int vertex_indices, then
+// int face (the input face), uchar label (see Label), uchar seen (1: the camera sees it).
+#pragma once
+
+#include <string>
+
+#include "reconstruct/labelled_mesh.h"
+
+namespace sightline {
+
+[[nodiscard]] std::string labelled_ply(const LabelledMesh& labelled);
+
+}  // namespace sightline

@@ -1,0 +1,56 @@
+// The command `sightline`. Exit codes: 0 done, 1 the input is wrong, 2 the command line is wrong, 3 internal error.
+
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <string>
+
+#include "cli/analyze_command.h"
+#include "cli/command_line.h"
+#include "cli/output_folder.h"
+
+namespace {
+
+enum ExitCode { done = 0, input_is_wrong = 1, command_line_is_wrong = 2, internal_error = 3 };
+
+// One line, whatever names and texts from the input are in it.
+int fail(ExitCode code, std::string message) {
+  for (char& c : message) {
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = ' ';
+  }
+  std::fprintf(stderr, "sightline: %s\n", message.c_str());
+  return code;
+}
+
+void print(const std::string& text) {
+  const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
+  if (!written) throw sightline::OutputError("standard output cannot be written");
+}
+
+int run(int argc, const char* const* argv) {
+  const auto request = sightline::parse_command_line(argc, argv);
+  if (const auto* asked = std::get_if<sightline::RequestedText>(&request)) {
+    print(asked->text);
+  } else {
+    print(sightline::analyze_command(std::get<sightline::AnalyzeOptions>(request)));
+  }
+  return done;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const sightline::CommandLineError& error) {
+    return fail(command_line_is_wrong, std::string(error.what()) + "; see sightline analyze --help");
+  } catch (const sightline::InternalError& error) {
+    return fail(internal_error, std::string("internal error: ") + error.what() + "; please report it with the input");
+  } catch (const sightline::Error& error) {
+    return fail(input_is_wrong, error.what());
+  } catch (const std::bad_alloc&) {
+    return fail(internal_error, "out of memory");
+  } catch (const std::exception& error) {
+    return fail(internal_error, std::string("internal error: ") + error.what() + "; please report it with the input");
+  }
+}

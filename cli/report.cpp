@@ -1,0 +1,148 @@
+#include "cli/report.h"
+
+#include <algorithm>
+
+#include "cli/report_warnings.h"
+#include "cli/resources.h"
+
+namespace sightline {
+
+namespace {
+
+constexpr std::size_t listed_faces = 100;
+
+Report as_json(const Vector3& v) { return {v.x, v.y, v.z}; }
+
+Report as_json(const std::optional<double>& value) { return value ? Report(*value) : Report(nullptr); }
+
+Report scene_part(const Scene& scene, const Mesh& mesh) {
+  return {{"file", scene.file},
+          {"mesh", scene.mesh_file},
+          {"vertices", mesh.vertices.size()},
+          {"faces", mesh.face_count()},
+          {"facets", mesh.facet_count()}};
+}
+
+Report camera_part(const Camera& camera) {
+  const Vector3& eye = camera.eye.xyz;
+  return {
+      {"name", camera.name},
+      {"kind", camera.projection == Projection::perspective ? "perspective" : "orthographic"},
+      {"rows", {{"right", as_json(camera.right)}, {"up", as_json(camera.up)}, {"forward", as_json(camera.forward)}}},
+      {"origin", as_json(camera.origin)},
+      {"eye", {eye.x, eye.y, eye.z, camera.eye.w}},
+      {"near", as_json(camera.near_distance)},
+      {"far", as_json(camera.far_distance)},
+      {"aspect", camera.aspect}};
+}
+
+const char* to_string(SidesPolicy policy) {
+  if (policy == SidesPolicy::automatic) return "auto";
+  return policy == SidesPolicy::front ? "front" : "both";
+}
+
+Report sides_part(const ViewAnalysis& analysis) {
+  return {{"asked", to_string(analysis.asked)},
+          {"used", analysis.sides.sides == Sides::front ? "front" : "both"},
+          {"reason", analysis.sides.reason}};
+}
+
+Report face_counts(const std::vector<FaceMeasures>& faces) {
+  const auto with_label = [&](Label label) {
+    return std::count_if(faces.begin(), faces.end(), [&](const FaceMeasures& face) {
+      return face.facing != FaceFacing::skipped && face.label == label;
+    });
+  };
+  const auto skipped = std::count_if(faces.begin(), faces.end(),
+                                     [](const FaceMeasures& face) { return face.facing == FaceFacing::skipped; });
+  return {{"visible", with_label(Label::visible)},
+          {"hidden", with_label(Label::hidden)},
+          {"out_of_view", with_label(Label::out_of_view)},
+          {"back_facing", with_label(Label::back_facing)},
+          {"skipped", skipped}};
+}
+
+Report counts_part(const MeshInput& input, const View& view, const std::vector<FaceMeasures>& faces) {
+  const VisiblePolygons& polygons = view.polygons;
+  const auto below = std::count_if(polygons.polygons.begin(), polygons.polygons.end(),
+                                   [](const VisiblePolygon& polygon) { return polygon.below_resolution; });
+  return {{"faces", face_counts(faces)},
+          {"edges", view.scene.edge_count()},
+          {"sweep_points", view.segments.statistics.sweep_points},
+          {"crossings", view.segments.statistics.crossings},
+          {"visible_segments", view.segments.segments.size()},
+          {"visible_polygons", polygons.polygons.size()},
+          {"below_resolution", below},
+          {"holes", polygons.ring_count() - polygons.polygons.size()},
+          {"output_triangles", view.labelled.triangles.size()},
+          {"crossing_pairs", crossing_faces(input).size()}};
+}
+
+double sum(const std::vector<FaceMeasures>& faces, double FaceMeasures::*area) {
+  double total = 0;
+  for (const FaceMeasures& face : faces) total += face.*area;
+  return total;
+}
+
+// Of the window's area 4. The polygons' areas are rounded, so that their sum may exceed 4 by a few units in the last
+// place.
+double uncovered_area(const VisiblePolygons& polygons) {
+  double covered = 0;
+  for (const VisiblePolygon& polygon : polygons.polygons) covered += polygon.area;
+  return std::max(0.0, 4 - covered);
+}
+
+Report areas_part(const View& view, const std::vector<FaceMeasures>& faces) {
+  return {{"surface", sum(faces, &FaceMeasures::area)},
+          {"in_view", sum(faces, &FaceMeasures::in_view_area)},
+          {"visible", sum(faces, &FaceMeasures::visible_area)},
+          {"image_visible", sum(faces, &FaceMeasures::visible_image_area)},
+          {"image_uncovered", uncovered_area(view.polygons)}};
+}
+
+Report below_resolution_part(const VisiblePolygons& polygons) {
+  const std::vector<FaceId> faces = faces_below_resolution(polygons);
+  Report list = Report::array();
+  for (std::size_t i = 0; i < std::min(faces.size(), listed_faces); ++i) list.push_back(faces[i].value);
+  return {{"count", faces.size()}, {"faces", list}};
+}
+
+// total is the sum of the others; read and contacts are shared by all cameras of a scene.
+Report times_part(const MeshInput& input, const StageSeconds& seconds, double write_seconds) {
+  Report times = {{"read", input.read_seconds}, {"contacts", input.contacts_seconds},
+                  {"sides", seconds.sides},     {"project", seconds.project},
+                  {"sweep", seconds.sweep},     {"reconstruct", seconds.reconstruct},
+                  {"label", seconds.label},     {"write", write_seconds}};
+  double total = 0;
+  for (const auto& time : times) total += time.get<double>();
+  times["total"] = total;
+  return times;
+}
+
+Report predicates_part(const predicates::Counts& counts) {
+  const double share = counts.calls == 0 ? 1 : static_cast<double>(counts.filtered) / static_cast<double>(counts.calls);
+  return {{"calls", counts.calls}, {"filter_share", share}};
+}
+
+}  // namespace
+
+Report make_report(const Scene& scene, const MeshInput& input, const ViewAnalysis& analysis,
+                   const std::vector<FaceMeasures>& faces, double write_seconds) {
+  const View& view = analysis.view;
+  return {{"scene", scene_part(scene, input.mesh)},
+          {"camera", camera_part(view.scene.camera)},
+          {"sides", sides_part(analysis)},
+          {"counts", counts_part(input, view, faces)},
+          {"areas", areas_part(view, faces)},
+          {"below_resolution", below_resolution_part(view.polygons)},
+          {"times_s", times_part(input, analysis.seconds, write_seconds)},
+          {"peak_memory_bytes", peak_memory_bytes()},
+          {"predicates", predicates_part(view.segments.statistics.predicates)},
+          {"warnings", report_warnings(input, view)}};
+}
+
+std::string report_text(const Report& report) {
+  return report.dump(2, ' ', false, Report::error_handler_t::replace) + "\n";
+}
+
+}  // namespace sightline

@@ -1,0 +1,19 @@
+// What the command is asked to analyse: a mesh file, which sides of its faces count, and the cameras.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "geometry/camera.h"
+#include "geometry/culling.h"
+
+namespace sightline {
+
+struct Scene {
+  std::string file;       // the scene file, or the mesh file where the camera came from the command line
+  std::string mesh_file;  // a path that can be opened from the working directory
+  SidesPolicy sides = SidesPolicy::automatic;
+  std::vector<Camera> cameras;  // at least one; names are distinct and safe folder names
+};
+
+}  // namespace sightline

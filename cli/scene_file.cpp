@@ -1,0 +1,117 @@
+#include "cli/scene_file.h"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <sstream>
+
+#include "cli/camera_table.h"
+#include "cli/toml_reader.h"
+#include "geometry/errors.h"
+
+namespace sightline {
+
+namespace {
+
+toml::table parsed(std::string_view text, const std::string& path) {
+  try {
+    return toml::parse(text, path);
+  } catch (const toml::parse_error& error) {
+    throw InputError(path, error.source().begin.line, fmt::format("not valid TOML: {}", error.description()));
+  }
+}
+
+TomlReader mesh_table(const toml::table& root, const std::string& path) {
+  const toml::node* node = root.get("mesh");
+  if (node == nullptr) throw InputError(path, 0, "there is no [mesh]; add [mesh] with file = \"...\"");
+  const std::size_t line = node->source().begin.line;
+  if (!node->is_table()) throw InputError(path, line, "'mesh' must be a table: [mesh]");
+  return {*node->as_table(), path, "[mesh]", line};
+}
+
+SidesPolicy read_sides(const TomlReader& mesh) {
+  if (!mesh.has("sides")) return SidesPolicy::automatic;
+  const auto policy = sides_policy(mesh.text("sides"));
+  if (!policy) mesh.fail("sides", "'sides' must be \"auto\", \"front\" or \"both\"");
+  return *policy;
+}
+
+void check_distinct(const std::vector<Camera>& cameras, const TomlReader& last) {
+  for (std::size_t i = 0; i + 1 < cameras.size(); ++i) {
+    if (cameras[i].name != cameras.back().name) continue;
+    last.fail("name", fmt::format("a second camera is called \"{}\"; names must be distinct", cameras[i].name));
+  }
+}
+
+// One element of [[camera]].
+TomlReader camera_table(const toml::node& element, const std::string& path) {
+  const std::size_t line = element.source().begin.line;
+  if (!element.is_table()) throw InputError(path, line, "'camera' must be an array of tables: [[camera]]");
+  return {*element.as_table(), path, "[[camera]]", line};
+}
+
+std::vector<Camera> read_cameras(const toml::table& root, const std::string& path) {
+  const toml::node* node = root.get("camera");
+  if (node == nullptr) throw InputError(path, 0, "there is no [[camera]]; add at least one");
+  const toml::array* elements = node->as_array();
+  const std::size_t line = node->source().begin.line;
+  if (elements == nullptr) throw InputError(path, line, "'camera' must be an array of tables: [[camera]]");
+  if (elements->empty()) throw InputError(path, line, "there is no [[camera]]; add at least one");
+  std::vector<Camera> cameras;
+  for (const toml::node& element : *elements) {
+    const TomlReader table = camera_table(element, path);
+    cameras.push_back(read_camera(table));
+    check_distinct(cameras, table);
+  }
+  return cameras;
+}
+
+void refuse_panels(const toml::table& root, const std::string& path) {
+  const toml::node* node = root.get("panel");
+  if (node == nullptr) return;
+  const toml::array* panels = node->as_array();
+  const toml::node& first = panels != nullptr && !panels->empty() ? *panels->get(0) : *node;
+  throw InputError(path, first.source().begin.line, "panels are not supported yet; remove the [[panel]] tables");
+}
+
+}  // namespace
+
+std::optional<SidesPolicy> sides_policy(std::string_view word) {
+  if (word == "auto") return SidesPolicy::automatic;
+  if (word == "front") return SidesPolicy::front;
+  if (word == "both") return SidesPolicy::both;
+  return std::nullopt;
+}
+
+Scene parse_scene(std::string_view text, const std::string& path) {
+  const toml::table root = parsed(text, path);
+  TomlReader(root, path, "the scene file", 0).allow_only({"mesh", "camera", "panel"});
+  refuse_panels(root, path);
+  const TomlReader mesh = mesh_table(root, path);
+  mesh.allow_only({"file", "sides"});
+  Scene scene;
+  scene.file = path;
+  scene.mesh_file = (std::filesystem::path(path).parent_path() / mesh.text("file")).string();
+  scene.sides = read_sides(mesh);
+  scene.cameras = read_cameras(root, path);
+  return scene;
+}
+
+Scene read_scene_file(const std::string& path) {
+  const auto unreadable = [&](int cause) {
+    return InputError(path, 0, fmt::format("the scene file cannot be read: {}", std::strerror(cause)));
+  };
+  if (std::filesystem::is_directory(path)) throw unreadable(EISDIR);
+  errno = 0;
+  const std::ifstream file(path, std::ios::binary);
+  if (!file) throw unreadable(errno);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return parse_scene(text.str(), path);
+}
+
+}  // namespace sightline

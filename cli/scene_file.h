@@ -1,0 +1,24 @@
+// Scene files (TOML): which mesh, and the cameras. The README describes the format.
+//
+// In:  the path of a scene file. Out: a Scene; paths in the file are relative to the file's folder.
+// Errors: InputError with file and line: no such file, TOML that does not parse, a key that is unknown, missing, of the
+// wrong type
+//         or twice the same camera name, a camera that defines no view.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "cli/scene.h"
+
+namespace sightline {
+
+[[nodiscard]] Scene read_scene_file(const std::string& path);
+
+// The same for a text in memory; path is for messages and for what is relative to it.
+[[nodiscard]] Scene parse_scene(std::string_view text, const std::string& path);
+
+// "auto", "front" or "both"; nothing for another word.
+[[nodiscard]] std::optional<SidesPolicy> sides_policy(std::string_view word);
+
+}  // namespace sightline

@@ -1,0 +1,55 @@
+#include "cli/segments_table.h"
+
+#include <algorithm>
+
+#include "cli/text_buffer.h"
+
+namespace sightline {
+
+namespace {
+
+// The mesh edge of the face that lies on the scene edge; invalid where there is none.
+MeshEdgeId edge_of_face(const Mesh& mesh, const ProjectedScene& scene, EdgeId edge, FaceId face) {
+  for (const EdgeSide& side : scene.sides_of(edge)) {
+    if (mesh.facet_face[side.facet.index()] == face && side.mesh_edge.valid()) return side.mesh_edge;
+  }
+  return {};
+}
+
+FaceId face_of(const Mesh& mesh, FacetId facet) { return facet.valid() ? mesh.facet_face[facet.index()] : FaceId{}; }
+
+// Of the segment's own face first, else of the face on its right.
+MeshEdgeId edge_under(const Mesh& mesh, const ProjectedScene& scene, const VisibleSegment& segment) {
+  const MeshEdgeId own = edge_of_face(mesh, scene, segment.edge, face_of(mesh, segment.facet));
+  if (own.valid() || !segment.other.valid()) return own;
+  return edge_of_face(mesh, scene, segment.edge, face_of(mesh, segment.other));
+}
+
+void write_edge(const Mesh& mesh, MeshEdgeId edge, TextBuffer& out) {
+  if (!edge.valid()) {
+    out << "border";
+    return;
+  }
+  const auto [low, high] = std::minmax(mesh.edges[edge.index()][0], mesh.edges[edge.index()][1]);
+  out << low.value << '-' << high.value;
+}
+
+}  // namespace
+
+std::string segments_table(const Mesh& mesh, const View& view, const std::vector<Point2>& places) {
+  TextBuffer out;
+  out << "face,start_x,start_y,end_x,end_y,edge,other_face\n";
+  for (const VisibleSegment& segment : view.segments.segments) {
+    const Point2& start = places[segment.start.index()];
+    const Point2& end = places[segment.end.index()];
+    out << face_of(mesh, segment.facet).value << ',' << start.x << ',' << start.y << ',' << end.x << ',' << end.y
+        << ',';
+    write_edge(mesh, edge_under(mesh, view.scene, segment), out);
+    out << ',';
+    if (segment.other.valid()) out << face_of(mesh, segment.other).value;
+    out << '\n';
+  }
+  return out.take();
+}
+
+}  // namespace sightline

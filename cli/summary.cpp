@@ -1,0 +1,65 @@
+#include "cli/summary.h"
+
+#include <fmt/format.h>
+
+namespace sightline {
+
+namespace {
+
+constexpr std::size_t name_width = 16;
+
+// Cut between characters: the bytes 10xxxxxx continue one.
+std::string shortened(const std::string& name) {
+  if (name.size() <= name_width) return name;
+  std::size_t end = name_width - 3;
+  while ((static_cast<unsigned char>(name[end]) & 0xC0U) == 0x80) --end;
+  return name.substr(0, end) + "...";
+}
+
+std::string scene_line(const Report& report) {
+  const Report& scene = report["scene"];
+  return fmt::format("{}: {} vertices, {} faces, area {:.6g}\n\n", scene["mesh"].get<std::string>(),
+                     scene["vertices"].get<std::size_t>(), scene["faces"].get<std::size_t>(),
+                     report["areas"]["surface"].get<double>());
+}
+
+std::string table_head() {
+  return fmt::format("{:16} {:>8} {:>8} {:>8} {:>8} {:>11} {:>6} {:>8}\n", "", "faces", "", "out of", "back-", "area",
+                     "window", "time") +
+         fmt::format("{:16} {:>8} {:>8} {:>8} {:>8} {:>11} {:>6} {:>8}\n", "camera", "visible", "hidden", "view",
+                     "facing", "visible", "filled", "s");
+}
+
+// window filled: the share of the window that the surface covers.
+std::string camera_line(const Report& report) {
+  const Report& faces = report["counts"]["faces"];
+  const auto count = [&](const char* label) { return faces[label].get<std::size_t>(); };
+  const double filled = 100 * (1 - report["areas"]["image_uncovered"].get<double>() / 4);
+  return fmt::format("{:16} {:>8} {:>8} {:>8} {:>8} {:>11.6g} {:>4.1f} % {:>8.3f}\n",
+                     shortened(report["camera"]["name"].get<std::string>()), count("visible"), count("hidden"),
+                     count("out_of_view"), count("back_facing"), report["areas"]["visible"].get<double>(), filled,
+                     report["times_s"]["total"].get<double>());
+}
+
+std::string warnings_line(const std::vector<Report>& reports) {
+  std::size_t count = 0;
+  for (const Report& report : reports) count += report["warnings"].size();
+  return count == 0 ? "" : fmt::format("\n{} warnings: see \"warnings\" in report.json\n", count);
+}
+
+}  // namespace
+
+std::string summary(const std::vector<Report>& reports, const std::string& output) {
+  std::string text = scene_line(reports.front()) + table_head();
+  for (const Report& report : reports) text += camera_line(report);
+  text += warnings_line(reports);
+  const std::string first = reports.front()["camera"]["name"].get<std::string>();
+  text += fmt::format("\nOne folder per camera in {}\n", output);
+  text += "  view.svg       the visible polygons as the camera sees them\n";
+  text += "  labelled.ply   the refined surface with labels (also labelled.obj)\n";
+  text += "  faces.csv      how much of each face is seen (also segments.csv, report.json)\n";
+  text += fmt::format("Start with {}/{}/view.svg\n", output, first);
+  return text;
+}
+
+}  // namespace sightline

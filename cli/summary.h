@@ -1,0 +1,14 @@
+// What a person is told at the end: a table of at most 80 columns, one line per camera, and where to look.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/report.h"
+
+namespace sightline {
+
+// reports: of the cameras of one scene, at least one. output: the folder of the results.
+[[nodiscard]] std::string summary(const std::vector<Report>& reports, const std::string& output);
+
+}  // namespace sightline

@@ -1,0 +1,56 @@
+#include "cli/view_analysis.h"
+
+#include "cli/resources.h"
+#include "geometry/obj_reader.h"
+
+namespace sightline {
+
+namespace {
+
+// The value of `work`, and in `seconds` how long it took.
+template <class Work>
+auto timed(double& seconds, Work work) {
+  const Stopwatch watch;
+  auto result = work();
+  seconds = watch.seconds();
+  return result;
+}
+
+VisibleSegments watched_sweep(const Mesh& mesh, const ProjectedScene& scene, Progress& progress) {
+  if (!progress.shown()) return sweep(mesh, scene);
+  SweepProgress observer(progress, scene.points.size());
+  return sweep(mesh, scene, &observer);
+}
+
+}  // namespace
+
+MeshInput read_mesh(const std::string& file, Progress& progress) {
+  MeshInput input;
+  progress.stage("read " + file);
+  ObjFile obj = timed(input.read_seconds, [&] { return read_obj(std::filesystem::path(file)); });
+  input.mesh = std::move(obj.mesh);
+  input.warnings = std::move(obj.warnings);
+  progress.stage("look for faces that interpenetrate");
+  input.contacts = timed(input.contacts_seconds, [&] { return find_contacts(input.mesh); });
+  return input;
+}
+
+ViewAnalysis analyze_view(const MeshInput& input, const Camera& camera, SidesPolicy policy, Progress& progress) {
+  const Mesh& mesh = input.mesh;
+  ViewAnalysis analysis;
+  StageSeconds& seconds = analysis.seconds;
+  View& view = analysis.view;
+  analysis.asked = policy;
+  progress.stage(camera.name + ": project");
+  analysis.sides = timed(seconds.sides, [&] { return decide_sides(mesh, input.contacts, camera, policy); });
+  view.scene = timed(seconds.project, [&] { return project(mesh, camera, analysis.sides.sides); });
+  progress.stage(camera.name + ": sweep");
+  view.segments = timed(seconds.sweep, [&] { return watched_sweep(mesh, view.scene, progress); });
+  progress.stage(camera.name + ": reconstruct the visible polygons");
+  view.polygons = timed(seconds.reconstruct, [&] { return reconstruct_polygons(mesh, view.scene, view.segments); });
+  progress.stage(camera.name + ": label the surface");
+  view.labelled = timed(seconds.label, [&] { return label_mesh(mesh, view.scene, view.segments, view.polygons); });
+  return analysis;
+}
+
+}  // namespace sightline

@@ -1,0 +1,43 @@
+// One mesh and one camera through every stage, each of them timed.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/progress.h"
+#include "geometry/interpenetration.h"
+#include "sightline/analyze.h"
+
+namespace sightline {
+
+// What all cameras of a scene share.
+struct MeshInput {
+  Mesh mesh;
+  std::vector<std::string> warnings;  // of the reader
+  MeshContacts contacts;
+  double read_seconds = 0;
+  double contacts_seconds = 0;
+};
+
+// Errors: InputError (see read_obj).
+[[nodiscard]] MeshInput read_mesh(const std::string& file, Progress& progress);
+
+struct StageSeconds {
+  double sides = 0;
+  double project = 0;
+  double sweep = 0;
+  double reconstruct = 0;
+  double label = 0;
+};
+
+struct ViewAnalysis {
+  SidesPolicy asked = SidesPolicy::automatic;
+  SidesDecision sides;
+  View view;
+  StageSeconds seconds;
+};
+
+[[nodiscard]] ViewAnalysis analyze_view(const MeshInput& input, const Camera& camera, SidesPolicy policy,
+                                        Progress& progress);
+
+}  // namespace sightline

@@ -1,0 +1,103 @@
+#include "cli/view_svg.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "cli/face_shade.h"
+#include "cli/text_buffer.h"
+
+namespace sightline {
+
+namespace {
+
+constexpr double image_height = 800;  // pixels, for viewers that ask for a size
+
+std::string escaped(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '&') {
+      result += "&amp;";
+    } else if (c == '<') {
+      result += "&lt;";
+    } else {
+      result += c;
+    }
+  }
+  return result;
+}
+
+// In window units. Thinner where there are many polygons, so that strokes do not hide what they surround. Not a
+// vector-effect: librsvg ignores non-scaling-stroke.
+double stroke_width(std::size_t polygons) {
+  const double pixels = std::min(0.7, 30 / std::sqrt(static_cast<double>(polygons) + 1));
+  return pixels * 2 / image_height;
+}
+
+std::string header(const Camera& camera, std::size_t polygons) {
+  const double aspect = camera.aspect;
+  return fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}\" height=\"{}\" viewBox=\"{} -1 {} 2\">\n"
+      "<title>{}</title>\n"
+      "<rect x=\"{}\" y=\"-1\" width=\"{}\" height=\"2\" fill=\"#faf8f4\"/>\n"
+      "<g transform=\"scale({} -1)\" fill-rule=\"evenodd\" stroke-width=\"{}\" stroke-linejoin=\"round\">\n",
+      aspect * image_height, image_height, -aspect, 2 * aspect, escaped(camera.name), -aspect, 2 * aspect, aspect,
+      stroke_width(polygons));
+}
+
+void write_colour(const Colour& colour, TextBuffer& out) {
+  constexpr std::string_view digits = "0123456789abcdef";
+  out << '#';
+  for (const std::uint8_t channel : colour) out << digits[channel / 16U] << digits[channel % 16U];
+}
+
+void write_ring(const View& view, std::size_t ring, const std::vector<Point2>& places, TextBuffer& out) {
+  char command = 'M';
+  for (const SegmentId segment : view.polygons.ring(ring)) {
+    const Point2& place = places[view.segments.segments[segment.index()].start.index()];
+    out << command << place.x << ' ' << place.y;
+    command = 'L';
+  }
+  out << 'Z';
+}
+
+void write_names(FaceId face, std::size_t occurrence, Facing facing, TextBuffer& out) {
+  out << "<path id=\"face-" << face.value;
+  if (occurrence > 1) out << '-' << std::uint64_t{occurrence};
+  out << "\" class=\"" << (facing == Facing::back ? "back" : "front") << "\" data-face=\"" << face.value << '"';
+}
+
+void write_polygon(const Mesh& mesh, const View& view, const VisiblePolygon& polygon, std::size_t occurrence,
+                   const std::vector<Point2>& places, TextBuffer& out) {
+  const Facing facing = view.scene.facing[polygon.facet.index()];
+  const FaceShade shade = face_shade(mesh, view.scene.camera, polygon.facet, facing);
+  write_names(polygon.face, occurrence, facing, out);
+  out << " fill=\"";
+  write_colour(shade.fill, out);
+  out << "\" stroke=\"";
+  write_colour(shade.stroke, out);
+  out << "\" d=\"";
+  for (std::size_t r = 0; r < polygon.ring_count; ++r) write_ring(view, polygon.first_ring + r, places, out);
+  out << "\"/>\n";
+}
+
+}  // namespace
+
+// The polygons come by face, so those of one face follow each other.
+std::string view_svg(const Mesh& mesh, const View& view, const std::vector<Point2>& places) {
+  TextBuffer out;
+  out << header(view.scene.camera, view.polygons.polygons.size());
+  FaceId last;
+  std::size_t occurrence = 0;
+  for (const VisiblePolygon& polygon : view.polygons.polygons) {
+    if (polygon.below_resolution) continue;
+    occurrence = polygon.face == last ? occurrence + 1 : 1;
+    last = polygon.face;
+    write_polygon(mesh, view, polygon, occurrence, places, out);
+  }
+  out << "</g>\n</svg>\n";
+  return out.take();
+}
+
+}  // namespace sightline

@@ -1,0 +1,16 @@
+#include "cli/window_points.h"
+
+#include "sweep/image_points.h"
+
+namespace sightline {
+
+std::vector<Point2> window_points(const View& view) {
+  const ImagePoints points(view.scene, view.segments);
+  const std::size_t count = view.scene.points.size() + view.segments.crossings.size();
+  std::vector<Point2> places;
+  places.reserve(count);
+  for (std::size_t p = 0; p < count; ++p) places.push_back(points.in_window(PointId(p)));
+  return places;
+}
+
+}  // namespace sightline

@@ -1,0 +1,14 @@
+// The places of a view's points in the window, for the writers: computed once, since each crossing costs wide integers.
+//
+// Out: per point (scene points, then crossings) its x and y in [-1, 1], the exact value rounded to double.
+#pragma once
+
+#include <vector>
+
+#include "sightline/analyze.h"
+
+namespace sightline {
+
+[[nodiscard]] std::vector<Point2> window_points(const View& view);
+
+}  // namespace sightline
