@@ -75,7 +75,7 @@ Report counts_part(const MeshInput& input, const View& view, const std::vector<F
           {"below_resolution", below},
           {"holes", polygons.ring_count() - polygons.polygons.size()},
           {"output_triangles", view.labelled.triangles.size()},
-          {"crossing_pairs", crossing_faces(input).size()}};
+          {"crossing_pairs", interpenetrating_faces(input, view).size()}};
 }
 
 double sum(const std::vector<FaceMeasures>& faces, double FaceMeasures::*area) {

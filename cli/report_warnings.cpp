@@ -27,8 +27,8 @@ std::string interpenetration_warning(const std::vector<std::array<FaceId, 2>>& p
 
 }  // namespace
 
-std::vector<std::array<FaceId, 2>> crossing_faces(const MeshInput& input) {
-  std::vector<std::array<FaceId, 2>> pairs;
+std::vector<std::array<FaceId, 2>> interpenetrating_faces(const MeshInput& input, const View& view) {
+  std::vector<std::array<FaceId, 2>> pairs = view.segments.conflicts;
   for (const auto& [a, b] : input.contacts.crossing) {
     const auto [low, high] = std::minmax(input.mesh.facet_face[a.index()], input.mesh.facet_face[b.index()]);
     pairs.push_back({low, high});
@@ -48,7 +48,7 @@ std::vector<FaceId> faces_below_resolution(const VisiblePolygons& polygons) {
 
 std::vector<std::string> report_warnings(const MeshInput& input, const View& view) {
   std::vector<std::string> warnings = input.warnings;
-  const auto pairs = crossing_faces(input);
+  const auto pairs = interpenetrating_faces(input, view);
   if (!pairs.empty()) warnings.push_back(interpenetration_warning(pairs));
   const auto slivers = faces_below_resolution(view.polygons);
   if (!slivers.empty()) {

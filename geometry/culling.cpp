@@ -67,22 +67,23 @@ Objection component_around(const Mesh& mesh, const Component& component, const H
   return std::nullopt;
 }
 
-Objection objection(const Mesh& mesh, const MeshContacts& contacts, const HomogeneousPoint& eye) {
+Objection objection(const Mesh& mesh, const MeshContacts& contacts, const Camera& camera) {
+  if (camera.near_distance) return "the near plane may cut the surface open";
   if (const Objection edge = open_edge(mesh)) return edge;
   if (const Objection contact = first_contact(mesh, contacts)) return contact;
   for (const Component& component : components(mesh)) {
-    if (const Objection around = component_around(mesh, component, eye)) return around;
+    if (const Objection around = component_around(mesh, component, camera.eye)) return around;
   }
   return std::nullopt;
 }
 
 }  // namespace
 
-SidesDecision decide_sides(const Mesh& mesh, const MeshContacts& contacts, const HomogeneousPoint& eye,
+SidesDecision decide_sides(const Mesh& mesh, const MeshContacts& contacts, const Camera& camera,
                            SidesPolicy policy) {
   if (policy == SidesPolicy::front) return {Sides::front, "front sides: as asked"};
   if (policy == SidesPolicy::both) return {Sides::both, "both sides: as asked"};
-  if (const Objection reason = objection(mesh, contacts, eye)) return {Sides::both, "both sides: " + *reason};
+  if (const Objection reason = objection(mesh, contacts, camera)) return {Sides::both, "both sides: " + *reason};
   return {Sides::front, "front sides: every surface is closed, faces outwards and has the eye outside"};
 }
 

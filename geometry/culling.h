@@ -24,7 +24,7 @@ struct SidesDecision {
 };
 
 // `contacts`: how the mesh meets itself (see interpenetration.h).
-[[nodiscard]] SidesDecision decide_sides(const Mesh& mesh, const MeshContacts& contacts, const HomogeneousPoint& eye,
+[[nodiscard]] SidesDecision decide_sides(const Mesh& mesh, const MeshContacts& contacts, const Camera& camera,
                                          SidesPolicy policy);
 
 }  // namespace sightline

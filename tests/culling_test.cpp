@@ -69,8 +69,14 @@ Mesh mesh_of(const Solid& solid) {
   return build_mesh(solid.vertices, std::move(faces));
 }
 
+Camera camera_at(const HomogeneousPoint& eye) {
+  Camera camera;
+  camera.eye = eye;
+  return camera;
+}
+
 SidesDecision decide(const Mesh& mesh, const HomogeneousPoint& eye, SidesPolicy policy = SidesPolicy::automatic) {
-  return decide_sides(mesh, find_contacts(mesh), eye, policy);
+  return decide_sides(mesh, find_contacts(mesh), camera_at(eye), policy);
 }
 
 std::string reason_for(const Solid& solid, const Point3& eye) {
@@ -199,6 +205,14 @@ TEST_CASE("inside, outside, on: every point of a grid over the L, most of whose 
   CHECK(inside > 50);
 }
 
+TEST_CASE("a near plane may cut a closed surface open") {
+  const Mesh mesh = mesh_of(unit_cube());
+  Camera camera = camera_at({{5, 5, 5}, 1});
+  CHECK(decide_sides(mesh, find_contacts(mesh), camera, SidesPolicy::automatic).sides == Sides::front);
+  camera.near_distance = 1;
+  CHECK(decide_sides(mesh, find_contacts(mesh), camera, SidesPolicy::automatic).sides == Sides::both);
+}
+
 TEST_CASE("the sign of a volume is exact, far from the origin, tiny or huge") {
   for (const double size : {1.0, 0x1p-40, 0x1p-1074, 0x1p900}) {
     const Mesh mesh = mesh_of(box({0, 0, 0}, {size, size, size}));
@@ -230,7 +244,7 @@ TEST_CASE("closed models are culled from outside, and not from inside or when th
     }
     const Mesh mesh = read_obj(shared_model(name)).mesh;
     const MeshContacts contacts = find_contacts(mesh);
-    const SidesDecision decision = decide_sides(mesh, contacts, {{300, 200, 500}, 1}, SidesPolicy::automatic);
+    const SidesDecision decision = decide_sides(mesh, contacts, camera_at({{300, 200, 500}, 1}), SidesPolicy::automatic);
     INFO(decision.reason);
     const std::string model = name;
     if (model == "self_intersectA") {

@@ -1,0 +1,21 @@
+// Scenes of any size for measurements, the same in every run.
+#pragma once
+
+#include <cstddef>
+
+#include "geometry/camera.h"
+#include "geometry/mesh.h"
+
+namespace sightline::bench {
+
+// A closed surface with folds that hide parts of it: a sphere whose radius waves. About `triangles` triangles.
+[[nodiscard]] Mesh folded_sphere(std::size_t triangles);
+
+// A height field of waves in waves. About `triangles` triangles.
+[[nodiscard]] Mesh terrain(std::size_t triangles);
+
+// A view of the whole surface, and one over the terrain at a grazing angle.
+[[nodiscard]] Camera overview();
+[[nodiscard]] Camera grazing_view();
+
+}  // namespace sightline::bench

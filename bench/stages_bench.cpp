@@ -1,0 +1,63 @@
+// The stages of one view on generated scenes, one core: time per stage, and sweep points per second.
+//
+//     build/release/bench/sightline_bench
+
+#include <benchmark/benchmark.h>
+
+#include <chrono>
+
+#include "bench/generated_scenes.h"
+#include "sightline/analyze.h"
+
+namespace sightline::bench {
+namespace {
+
+struct Case {
+  Mesh mesh;
+  Camera camera;
+  Sides sides;
+};
+
+Case sphere_case(std::size_t triangles, Sides sides) { return {folded_sphere(triangles), overview(), sides}; }
+Case terrain_case(std::size_t triangles) { return {terrain(triangles), grazing_view(), Sides::both}; }
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+void run_view(benchmark::State& state, const Case& c) {
+  double sweep_seconds = 0;
+  std::uint64_t sweep_points = 0;
+  for (auto _ : state) {
+    View view;
+    view.scene = project(c.mesh, c.camera, c.sides);
+    const auto start = std::chrono::steady_clock::now();
+    view.segments = sweep(c.mesh, view.scene);
+    sweep_seconds += seconds_since(start);
+    view.polygons = reconstruct_polygons(c.mesh, view.scene, view.segments);
+    view.labelled = label_mesh(c.mesh, view.scene, view.segments, view.polygons);
+    sweep_points += view.segments.statistics.sweep_points;
+    benchmark::DoNotOptimize(view.labelled.triangles.data());
+  }
+  state.counters["triangles"] = static_cast<double>(c.mesh.facet_count());
+  state.counters["sweep_points"] = static_cast<double>(sweep_points) / static_cast<double>(state.iterations());
+  state.counters["sweep_points_per_s"] = static_cast<double>(sweep_points) / sweep_seconds;
+  state.counters["sweep_s"] = sweep_seconds / static_cast<double>(state.iterations());
+}
+
+void view_of_sphere(benchmark::State& state) {
+  run_view(state, sphere_case(static_cast<std::size_t>(state.range(0)), Sides::front));
+}
+void view_of_sphere_both_sides(benchmark::State& state) {
+  run_view(state, sphere_case(static_cast<std::size_t>(state.range(0)), Sides::both));
+}
+void view_of_terrain(benchmark::State& state) { run_view(state, terrain_case(static_cast<std::size_t>(state.range(0)))); }
+
+BENCHMARK(view_of_sphere)->Arg(10000)->Arg(100000)->Unit(benchmark::kMillisecond);
+BENCHMARK(view_of_sphere_both_sides)->Arg(10000)->Arg(100000)->Unit(benchmark::kMillisecond);
+BENCHMARK(view_of_terrain)->Arg(10000)->Arg(100000)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace sightline::bench
+
+BENCHMARK_MAIN();
