@@ -26,8 +26,9 @@ Mesh folded_sphere(std::size_t triangles) {
   std::vector<Point3> vertices{{0, 1, 0}, {0, -1, 0}};
   for (std::size_t r = 1; r < rows; ++r) {
     for (std::size_t c = 0; c < columns; ++c) {
-      vertices.push_back(folded_sphere_point(std::numbers::pi * static_cast<double>(r) / static_cast<double>(rows),
-                                             2 * std::numbers::pi * static_cast<double>(c) / static_cast<double>(columns)));
+      vertices.push_back(
+          folded_sphere_point(std::numbers::pi * static_cast<double>(r) / static_cast<double>(rows),
+                              2 * std::numbers::pi * static_cast<double>(c) / static_cast<double>(columns)));
     }
   }
   const auto at = [columns](std::size_t r, std::size_t c) { return 2 + (r - 1) * columns + c % columns; };
@@ -66,6 +67,8 @@ Mesh terrain(std::size_t triangles) {
 
 Camera overview() { return perspective_camera("overview", {{1.5, 1.2, 3.0}, {0, 0, 0}, {0, 1, 0}, 1, {}, {}}, 45); }
 
-Camera grazing_view() { return perspective_camera("grazing", {{0.3, 0.5, 2.2}, {0, 0, 0}, {0, 1, 0}, 1.6, {}, {}}, 50); }
+Camera grazing_view() {
+  return perspective_camera("grazing", {{0.3, 0.5, 2.2}, {0, 0, 0}, {0, 1, 0}, 1.6, {}, {}}, 50);
+}
 
 }  // namespace sightline::bench

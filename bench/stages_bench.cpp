@@ -51,7 +51,9 @@ void view_of_sphere(benchmark::State& state) {
 void view_of_sphere_both_sides(benchmark::State& state) {
   run_view(state, sphere_case(static_cast<std::size_t>(state.range(0)), Sides::both));
 }
-void view_of_terrain(benchmark::State& state) { run_view(state, terrain_case(static_cast<std::size_t>(state.range(0)))); }
+void view_of_terrain(benchmark::State& state) {
+  run_view(state, terrain_case(static_cast<std::size_t>(state.range(0))));
+}
 
 BENCHMARK(view_of_sphere)->Arg(10000)->Arg(100000)->Unit(benchmark::kMillisecond);
 BENCHMARK(view_of_sphere_both_sides)->Arg(10000)->Arg(100000)->Unit(benchmark::kMillisecond);

@@ -9,8 +9,8 @@
 
 namespace sightline {
 
-// Pairs of faces that interpenetrate, smaller id first; sorted, distinct: those that cross, and those that the sweep saw before each other
-// in both orders.
+// Pairs of faces that interpenetrate, smaller id first; sorted, distinct: those that cross, and those that the sweep
+// saw before each other in both orders.
 [[nodiscard]] std::vector<std::array<FaceId, 2>> interpenetrating_faces(const MeshInput& input, const View& view);
 
 // Faces with a visible polygon below resolution; sorted, distinct.

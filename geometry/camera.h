@@ -1,8 +1,7 @@
 // Cameras: pinhole and orthographic, as exact linear forms on the input's coordinates.
 //
 // A camera is three rows of doubles and an origin; these doubles are the camera, exactly. For a point v of the input:
-//   X = right . (v - origin)     Y = up . (v - origin)     W = forward . (v - origin), or 1 where the camera is
-//   orthographic
+//   X = right . (v - origin)     Y = up . (v - origin)     W = forward . (v - origin), or 1 where orthographic
 // and the point's place in the window [-1, 1]^2 is (X / W, Y / W), x to the right and y up. A pinhole sees only W > 0.
 // |forward| = 1 up to rounding, so that forward . (v - origin) is the distance in the input's units along the view
 // direction; near and far bound it.

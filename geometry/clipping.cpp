@@ -100,10 +100,6 @@ std::vector<BigInteger> window_edge_coordinates(const Camera& camera, const Exac
   return wecs;
 }
 
-double rounded_quotient(const BigInteger& numerator, const BigInteger& denominator) {
-  return static_cast<double>(boost::multiprecision::cpp_rational(numerator, denominator));
-}
-
 Point3 ExactCorner::position() const {
   return {rounded_quotient(px, one), rounded_quotient(py, one), rounded_quotient(pz, one)};
 }

@@ -1,12 +1,13 @@
 // Homogeneous clipping, exact.
 //
-// In:  a facet and a camera. Out: the facet's polygon in the view volume as exact homogeneous points, in the facet's
-// orientation. Holds: the polygon is convex, with at least three corners that are not all on one line, or empty; a
-// corner on a mesh edge is the same
-//        exact point whichever facet of that edge it is computed from.
+// In:  a facet and a camera.
+// Out: the facet's polygon in the view volume as exact homogeneous points, in the facet's orientation.
+// Holds: the polygon is convex, with at least three corners that are not all on one line, or empty; a corner on a
+// mesh edge is the same exact point whichever facet of that edge it is computed from.
 // Precondition: the facet is not edge-on.
 // Complexity: six passes over the corners, in integers of any size; meant for the few facets that cross the view
-// volume's border. Source: Fang 1993, 5.2.3 and table 5.1: window edge coordinates (WEC) and Sutherland-Hodgman.
+// volume's border.
+// Source: Fang 1993, 5.2.3 and table 5.1: window edge coordinates (WEC) and Sutherland-Hodgman.
 // Departures: integers instead of equation 5.7 in floating point; points on a bound count as inside, but a facet that
 // has nothing strictly inside is out of view.
 #pragma once
@@ -44,8 +45,5 @@ struct ExactCorner {
 // negative outside. A bound that the camera does not have is satisfied.
 constexpr std::size_t bound_count = 6;
 [[nodiscard]] std::vector<BigInteger> window_edge_coordinates(const Camera& camera, const ExactCorner& corner);
-
-// numerator / denominator, rounded once to double.
-[[nodiscard]] double rounded_quotient(const BigInteger& numerator, const BigInteger& denominator);
 
 }  // namespace sightline

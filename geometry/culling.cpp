@@ -79,8 +79,7 @@ Objection objection(const Mesh& mesh, const MeshContacts& contacts, const Camera
 
 }  // namespace
 
-SidesDecision decide_sides(const Mesh& mesh, const MeshContacts& contacts, const Camera& camera,
-                           SidesPolicy policy) {
+SidesDecision decide_sides(const Mesh& mesh, const MeshContacts& contacts, const Camera& camera, SidesPolicy policy) {
   if (policy == SidesPolicy::front) return {Sides::front, "front sides: as asked"};
   if (policy == SidesPolicy::both) return {Sides::both, "both sides: as asked"};
   if (const Objection reason = objection(mesh, contacts, camera)) return {Sides::both, "both sides: " + *reason};

@@ -88,4 +88,22 @@ Sign exact_sign(const std::array<double, N>& values, Polynomial polynomial, Bits
   return sign_of(polynomial(scaled<BigInteger>(values, range.lowest)));
 }
 
+// numerator / denominator rounded once to double, to nearest even; denominator > 0. The quotient is taken to 66 bits or
+// more, the last one sticky, which decides the rounding like all that follow it. A denormal result is rounded twice.
+template <class Integer>
+double rounded_quotient(const Integer& numerator, const Integer& denominator) {
+  if (numerator == 0) return 0;
+  const Integer magnitude = abs(numerator);
+  const int shift = 67 + static_cast<int>(msb(denominator)) - static_cast<int>(msb(magnitude));
+  const Integer dividend = shift > 0 ? Integer(magnitude << static_cast<unsigned>(shift)) : magnitude;
+  const Integer divisor = shift < 0 ? Integer(denominator << static_cast<unsigned>(-shift)) : denominator;
+  Integer quotient;
+  Integer remainder;
+  divide_qr(dividend, divisor, quotient, remainder);
+  __extension__ using Wide = unsigned __int128;
+  const Wide bits = static_cast<Wide>(quotient) | (remainder != 0 ? 1U : 0U);
+  const double rounded = std::ldexp(static_cast<double>(bits), -shift);
+  return numerator < 0 ? -rounded : rounded;
+}
+
 }  // namespace sightline

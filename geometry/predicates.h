@@ -1,18 +1,20 @@
 // Exact predicates on input coordinates.
 //
-// In:  finite doubles of any size, denormals included. Out: a Sign. Every predicate has a tier in double with a proven
-// error bound (predicates::filter, which answers `nullopt` where the bound does not decide) and an exact tier in
-// integers behind it (predicates::exact). Both tiers are public so that tests can hold one against the other.
+// In:  finite doubles of any size, denormals included.
+// Out: a Sign. Every predicate has a tier in double with a proven error bound (predicates::filter, which answers
+//      `nullopt` where the bound does not decide) and an exact tier in integers behind it (predicates::exact). Both
+//      tiers are public so that tests can hold one against the other.
 //
 // orient3d(a, b, c, d)
-//   Result: +1 where d lies on the side of the plane abc from which a, b, c are seen counter-clockwise
-//   (that is, sign of ((b - a) x (c - a)) . (d - a)), -1 on the other side, 0 where the four are coplanar.
+//   Result: +1 where d lies on the side of the plane abc from which a, b, c are seen counter-clockwise (the sign of
+//   ((b - a) x (c - a)) . (d - a)), -1 on the other side, 0 where the four are coplanar.
 //   Symmetries: (1) swapping any two arguments flips the sign; (2) translating, or scaling by a power of two, changes
 //   nothing.
 // orient3d(a, b, c, eye): the same with a homogeneous last point: w = 1 a point, w = 0 a direction towards infinity.
 // orient2d(a, b, c): +1 where a, b, c turn counter-clockwise. Same symmetries.
-// in_circle(a, b, c, d), for a, b, c counter-clockwise: +1 where d is strictly inside their circle, 0 on it. Swapping
-// two of the first three flips the sign. linear_form(row, v, origin): the sign of row . (v - origin).
+// in_circle(a, b, c, d), for a, b, c counter-clockwise: +1 where d is strictly inside their circle, 0 on it.
+//   Symmetry: swapping any two arguments flips the sign.
+// linear_form(row, v, origin): the sign of row . (v - origin).
 #pragma once
 
 #include <optional>

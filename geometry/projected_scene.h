@@ -2,19 +2,18 @@
 //
 // In:  a mesh, a camera, which sides count.
 // Out: image points (rounded once to the grid, exactly: the nearest grid point of the exact projection), the edges
-// between them
-//      with the facets on their two sides, and per facet its polygon in the image after clipping.
+//      between them with the facets on their two sides, and per facet its polygon in the image after clipping.
 // Holds (validate(scene) checks it):
 //   - points are distinct and in sweep order, so that a smaller PointId is swept earlier;
 //   - edges are distinct, top before bottom, sorted by (top, bottom); edges that fall on each other are one edge with
-//   all their sides;
+//     all their sides;
 //   - for each facet, the winding over its sides adds up to zero at every point: its boundary is closed;
 //   - only facets with Status::in_view have sides.
 // Complexity: O(n log n).
 // Errors: none; a mesh that builds and a camera that is made can be projected.
 // Source: Fang 1993, sections 5.2.2-5.2.3 and table 5.1 (window edge coordinates, Sutherland-Hodgman clipping).
-// Departures: the clipping is exact, and no near plane is needed: |X| <= W and |Y| <= W leave only the eye itself at W
-// = 0, and a facet through the eye is edge-on, hence invisible.
+// Departures: the clipping is exact, and no near plane is needed: |X| <= W and |Y| <= W leave only the eye itself at
+// W = 0, and a facet through the eye is edge-on, hence invisible.
 #pragma once
 
 #include <array>

@@ -1,7 +1,7 @@
 // The projection of single vertices: outside of which bounds, and where in the image.
 //
-// In:  a vertex and a camera. Out: its outcode (exact), and for a vertex in the view volume its grid point (the nearest
-// one to the exact
+// In:  a vertex and a camera.
+// Out: its outcode (exact), and for a vertex in the view volume its grid point (the nearest one to the exact
 //      projection) and W. A filter in double with a running error bound decides nearly all; clipping.h is the exact
 //      tier behind it.
 // Source: Fang 1993, 5.2.2-5.2.3.

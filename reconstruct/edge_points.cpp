@@ -8,11 +8,11 @@
 
 namespace sightline {
 
-EdgePoints::EdgePoints(const Mesh& mesh, const ProjectedScene& scene, std::span<const std::uint8_t> is_inside,
-                       const VisibleSegments& segments, const ImagePoints& points, std::vector<Point3>& vertices)
+EdgePoints::EdgePoints(const Mesh& mesh, const ProjectedScene& scene, const VisibleSegments& segments,
+                       const ImagePoints& points, std::vector<Point3>& vertices)
     : in_view_(mesh.edges.size()), begin_(mesh.edges.size() + 1, 0) {
   find_in_view(mesh, scene);
-  auto found = candidates(scene, is_inside, segments);
+  auto found = candidates(scene, segments);
   std::sort(found.begin(), found.end(), [&](const Candidate& a, const Candidate& b) {
     if (a.edge != b.edge) return a.edge < b.edge;
     if (a.point != b.point) return before_on_edge(a, b, points);
@@ -57,15 +57,13 @@ void EdgePoints::find_in_view(const Mesh& mesh, const ProjectedScene& scene) {
 }
 
 std::vector<EdgePoints::Candidate> EdgePoints::candidates(const ProjectedScene& scene,
-                                                          std::span<const std::uint8_t> is_inside,
                                                           const VisibleSegments& segments) {
   std::vector<Candidate> found;
   for (const ClippedCorner& corner : scene.polygon_corners) {
     if (corner.on_edge.valid()) found.push_back({corner.on_edge, corner.point, &corner});
   }
   for (const EdgeSplit& split : segments.splits) {
-    if (split.mesh_edge.valid() && is_inside[split.mesh_edge.index()] == 0)
-      found.push_back({split.mesh_edge, split.point, nullptr});
+    if (split.mesh_edge.valid()) found.push_back({split.mesh_edge, split.point, nullptr});
   }
   return found;
 }

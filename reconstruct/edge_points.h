@@ -1,8 +1,8 @@
 // The points that split each mesh edge, in order along it: conformity's bookkeeping.
 //
-// In:  what clipping cut (corners on mesh edges) and what the sweep split. Out: per mesh edge its points, from its
-// first end to its second,
-//      each a new vertex of the labelled surface. Every face on an edge, culled ones included, uses all of them.
+// In:  what clipping cut (corners on mesh edges) and what the sweep split.
+// Out: per mesh edge its points, from its first end to its second, each a new vertex of the labelled surface. Every
+//      face on an edge, culled ones included, uses all of them.
 // Holds: the points of one edge have different image points; a new vertex is computed from its edge alone.
 // Complexity: O(m log m).
 #pragma once
@@ -24,10 +24,9 @@ struct EdgePoint {
 
 class EdgePoints {
  public:
-  // is_inside: per mesh edge, whether it lies inside a planar face; the sweep's splits do not count there. Appends the
-  // new vertices to `vertices`, which begins with the mesh's.
-  EdgePoints(const Mesh& mesh, const ProjectedScene& scene, std::span<const std::uint8_t> is_inside,
-             const VisibleSegments& segments, const ImagePoints& points, std::vector<Point3>& vertices);
+  // Appends the new vertices to `vertices`, which begins with the mesh's.
+  EdgePoints(const Mesh& mesh, const ProjectedScene& scene, const VisibleSegments& segments, const ImagePoints& points,
+             std::vector<Point3>& vertices);
 
   // From the edge's first end to its second.
   [[nodiscard]] std::span<const EdgePoint> on(MeshEdgeId edge) const {
@@ -50,9 +49,7 @@ class EdgePoints {
   };
 
   void find_in_view(const Mesh& mesh, const ProjectedScene& scene);
-  [[nodiscard]] static std::vector<Candidate> candidates(const ProjectedScene& scene,
-                                                         std::span<const std::uint8_t> is_inside,
-                                                         const VisibleSegments& segments);
+  [[nodiscard]] static std::vector<Candidate> candidates(const ProjectedScene& scene, const VisibleSegments& segments);
   [[nodiscard]] bool before_on_edge(const Candidate& a, const Candidate& b, const ImagePoints& points) const;
   [[nodiscard]] Point3 position(const Candidate& c, const ProjectedScene& scene, const ImagePoints& points) const;
 

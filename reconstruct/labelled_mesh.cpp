@@ -15,23 +15,6 @@
 namespace sightline {
 namespace {
 
-// Per mesh edge: whether all its facets belong to one planar face, so that it is no border of it.
-std::vector<std::uint8_t> edges_inside_planar_faces(const Mesh& mesh) {
-  std::vector<FaceId> face(mesh.edges.size());
-  std::vector<std::uint32_t> facets(mesh.edges.size(), 0);
-  std::vector<std::uint8_t> inside(mesh.edges.size(), 1);
-  for (std::size_t f = 0; f < mesh.facet_count(); ++f) {
-    const FaceId own = mesh.facet_face[f];
-    for (const MeshEdgeId e : mesh.edges_of(FacetId(f))) {
-      if (!face[e.index()].valid()) face[e.index()] = own;
-      if (face[e.index()] != own || mesh.face_planar[own.index()] == 0) inside[e.index()] = 0;
-      ++facets[e.index()];
-    }
-  }
-  for (std::size_t e = 0; e < inside.size(); ++e) inside[e] = facets[e] > 1 ? inside[e] : 0;
-  return inside;
-}
-
 // Whether the rounded polygon is still convex and turns as the facet does. Where it is not, the facet is narrower than
 // the grid.
 bool is_proper(const ProjectedScene& scene, FacetId facet) {
@@ -104,9 +87,8 @@ class Labeller {
         segments_(segments),
         polygons_(polygons),
         points_(scene, segments),
-        inside_(edges_inside_planar_faces(mesh)),
         result_{mesh.vertices, {}},
-        edge_points_(mesh, scene, inside_, segments, points_, result_.vertices),
+        edge_points_(mesh, scene, segments, points_, result_.vertices),
         inner_(mesh, scene, points_, result_.vertices) {
     const auto first_border_split = std::partition_point(segments.splits.begin(), segments.splits.end(),
                                                          [](const EdgeSplit& s) { return s.mesh_edge.valid(); });
@@ -124,10 +106,31 @@ class Labeller {
         for (std::size_t f = begin; f < end; ++f) add_surface(f, f + 1);
       }
     }
+    drop_unused_vertices();
     return std::move(result_);
   }
 
  private:
+  // A split of a line between two facets of one planar face may turn out to be no border of anything.
+  void drop_unused_vertices() {
+    std::vector<std::uint8_t> used(result_.vertices.size(), 0);
+    std::fill_n(used.begin(), mesh_.vertices.size(), std::uint8_t{1});
+    for (const LabelledTriangle& t : result_.triangles) {
+      for (const VertexId v : t.corners) used[v.index()] = 1;
+    }
+    std::vector<VertexId> renamed(used.size());
+    std::size_t kept = 0;
+    for (std::size_t v = 0; v < used.size(); ++v) {
+      if (used[v] == 0) continue;
+      result_.vertices[kept] = result_.vertices[v];
+      renamed[v] = VertexId(kept++);
+    }
+    result_.vertices.resize(kept);
+    for (LabelledTriangle& t : result_.triangles) {
+      for (VertexId& v : t.corners) v = renamed[v.index()];
+    }
+  }
+
   static bool by_facet(const EdgeSplit& a, const EdgeSplit& b) { return a.facet < b.facet; }
 
   // The facets [begin, end) are one surface.
@@ -170,7 +173,7 @@ class Labeller {
 
   [[nodiscard]] bool is_clipped(FacetId f) const {
     const auto polygon = scene_.polygon(f);
-    return std::any_of(polygon.begin(), polygon.end(), [](const ClippedCorner& c) { return !c.vertex.valid(); });
+    return std::any_of(polygon.begin(), polygon.end(), [](const ClippedCorner& c) { return !c.edge_after.valid(); });
   }
 
   // A facet whose part in view is all visible or not at all.
@@ -199,7 +202,7 @@ class Labeller {
           view_border(mesh_, scene_, points_, edge_points_, FacetId(f), border_splits_of(FacetId(f)), inner_));
     }
     for (const Piece& piece :
-         visible_pieces(mesh_, points_, segments_, surface, edge_points_, inside_, result_.vertices, scene_, inner_)) {
+         visible_pieces(mesh_, scene_, points_, segments_, surface, edge_points_, result_.vertices, inner_)) {
       const Label label = !front ? Label::back_facing : (piece.visible ? Label::visible : Label::hidden);
       add_triangle(FacetId(begin), piece.corners, label, piece.visible);
     }
@@ -242,7 +245,6 @@ class Labeller {
   const VisibleSegments& segments_;
   const VisiblePolygons& polygons_;
   const ImagePoints points_;
-  const std::vector<std::uint8_t> inside_;
   LabelledMesh result_;
   const EdgePoints edge_points_;
   SurfaceVertices inner_;

@@ -1,12 +1,12 @@
 // The labelled surface: the whole input surface, refined so that every triangle is wholly one thing.
 //
-// In:  mesh, projected scene, visible segments and polygons. Out: LabelledMesh.
+// In:  mesh, projected scene, visible segments and polygons.
+// Out: LabelledMesh.
 // Holds (validate(labelled, mesh) checks it):
 //   - the first vertices are the input's, bit for bit and in order;
 //   - the triangles of a face have its orientation, and together its area;
 //   - conforming: what splits an edge splits it for all faces on it, so that a mesh edge with two faces yields pieces
-//   with
-//     two triangles each; closed in, closed out;
+//     with two triangles each; closed in, closed out;
 //   - skipped faces have no triangle.
 // Complexity: O(n log n) plus a constrained Delaunay triangulation per face that is seen in part.
 // Source: Koucky 2014, 3.8 (retriangulation, no points that only a hidden part needs).

@@ -6,8 +6,9 @@
 namespace sightline {
 namespace {
 
-double quotient(const Wide512& numerator, const Wide512& denominator) {
-  return static_cast<double>(numerator) / static_cast<double>(denominator);
+double signed_quotient(const Wide512& numerator, const Wide512& denominator) {
+  return denominator < 0 ? rounded_quotient(Wide512(-numerator), Wide512(-denominator))
+                         : rounded_quotient(numerator, denominator);
 }
 
 // Twice the area of a, b, p, times p's denominator.
@@ -47,9 +48,10 @@ Point3 lift_on_edge(const ProjectedScene& scene, const ImagePoints& points, cons
   const ExactPoint exact = points.exact(p);
   const std::int64_t dx = image_b.x - image_a.x;
   const std::int64_t dy = image_b.y - image_a.y;
-  const double s = std::abs(dx) > std::abs(dy)
-                       ? quotient(exact.x - Wide512(image_a.x) * exact.denominator, Wide512(dx) * exact.denominator)
-                       : quotient(exact.y - Wide512(image_a.y) * exact.denominator, Wide512(dy) * exact.denominator);
+  const double s =
+      std::abs(dx) > std::abs(dy)
+          ? signed_quotient(exact.x - Wide512(image_a.x) * exact.denominator, Wide512(dx) * exact.denominator)
+          : signed_quotient(exact.y - Wide512(image_a.y) * exact.denominator, Wide512(dy) * exact.denominator);
   return between(a, b, s);
 }
 

@@ -1,15 +1,15 @@
 // Links the visible segments of one surface to rings.
 //
-// In:  the visible segments, the ids of those of one surface. Out: walks: closed chains of segments, each cut into
-// rings that visit no point
-//      twice. A walk follows the border of one connected part of what is visible, with that part on its left; where
-//      several segments leave a point it takes the sharpest turn that keeps the part on the left.
-// Holds: every segment is in one ring of one walk; a ring starts at its first point in sweep order; the rings of a walk
-// are at most one
-//        outer ring (counter-clockwise) and holes (clockwise). A walk with an outer ring is a polygon with the holes
-//        that touch its border or each other; a walk without one is a cluster of touching holes (mostly one hole),
-//        which a thread leads to its polygon.
-// Complexity: O(m log m). Errors: InternalError where the segments do not balance at a point.
+// In:  the visible segments, the ids of those of one surface.
+// Out: walks: closed chains of segments, each cut into rings that visit no point twice. A walk follows the border of
+//      one connected part of what is visible, with that part on its left; where several segments leave a point it
+//      takes the sharpest turn that keeps the part on the left.
+// Holds: every segment is in one ring of one walk; a ring starts at its first point in sweep order; the rings of a
+// walk are at most one outer ring (counter-clockwise) and holes (clockwise). A walk with an outer ring is a polygon
+// with the holes that touch its border or each other; a walk without one is a cluster of touching holes (mostly one
+// hole), which a thread leads to its polygon.
+// Complexity: O(m log m).
+// Errors: InternalError where the segments do not balance at a point.
 // Source: Fang 1993, 5.3.1, "Polygon Reconstruction".
 #pragma once
 

@@ -88,24 +88,23 @@ struct Line {
 
 class VisiblePieces {
  public:
-  VisiblePieces(const Mesh& mesh, const ImagePoints& image, const VisibleSegments& segments,
-                const SurfaceInView& surface, const EdgePoints& edge_points, std::span<const std::uint8_t> is_inside,
-                const ProjectedScene& scene)
+  VisiblePieces(const Mesh& mesh, const ProjectedScene& scene, const ImagePoints& image,
+                const VisibleSegments& segments, const SurfaceInView& surface, const EdgePoints& edge_points)
       : mesh_(mesh),
         scene_(scene),
         image_(image),
         segments_(segments),
         surface_(surface),
         edge_points_(edge_points),
-        is_inside_(is_inside),
         points_(image) {}
 
   std::vector<Piece> run(const std::vector<Point3>& vertices, InnerVertices& inner) {
+    collect_border();
     collect_points(inner);
     const auto [a, b, c] = plane_corners(mesh_, surface_.surface);
     points_.place_in_plane(mesh_.position(a), mesh_.position(b), mesh_.position(c), vertices);
     if (surface_.back_facing) points_.mirror();
-    collect_border_lines();
+    add_border_lines();
     for (const SegmentId s : surface_.visible) add_ring_line(segments_.segments[s.index()]);
     std::sort(lines_.begin(), lines_.end());
     std::vector<Constraint> constraints;
@@ -116,17 +115,44 @@ class VisiblePieces {
   }
 
  private:
-  [[nodiscard]] bool is_border(const ViewBorderPoint& p) const {
-    return !p.edge.valid() || is_inside_[p.edge.index()] == 0;
+  // A line between two points of a facet's border.
+  struct BorderLine {
+    PointId from_point;
+    PointId to_point;
+    VertexId from;
+    VertexId to;
+  };
+
+  [[nodiscard]] VertexId welded(VertexId v) const { return v.index() < mesh_.weld.size() ? mesh_.weld[v.index()] : v; }
+
+  // The lines of the facets' borders, without those that run both ways: there two facets of the surface meet.
+  void collect_border() {
+    using Ends = std::array<VertexId, 2>;
+    const auto ends = [this](const BorderLine& line) { return Ends{welded(line.from), welded(line.to)}; };
+    std::vector<BorderLine> all;
+    for (const auto& border : surface_.borders) {
+      for (std::size_t i = 0; i < border.size(); ++i) {
+        const ViewBorderPoint& next = border[i + 1 == border.size() ? 0 : i + 1];
+        all.push_back({border[i].image, next.image, border[i].border.vertex, next.border.vertex});
+      }
+    }
+    std::vector<Ends> directed;
+    for (const BorderLine& line : all) directed.push_back(ends(line));
+    std::sort(directed.begin(), directed.end());
+    const auto count = [&directed](const Ends& e) {
+      const auto [first, last] = std::equal_range(directed.begin(), directed.end(), e);
+      return last - first;
+    };
+    for (const BorderLine& line : all) {
+      const auto [from, to] = ends(line);
+      if (count({from, to}) > count({to, from})) border_.push_back(line);
+    }
   }
 
   void collect_points(InnerVertices& inner) {
-    for (const auto& border : surface_.borders) {
-      for (std::size_t i = 0; i < border.size(); ++i) {
-        if (is_border(border[i]) || is_border(border[i == 0 ? border.size() - 1 : i - 1])) {
-          points_.add(border[i].image, border[i].border.vertex);
-        }
-      }
+    for (const BorderLine& line : border_) {
+      points_.add(line.from_point, line.from);
+      points_.add(line.to_point, line.to);
     }
     points_.sort();
     std::vector<PointId> inside;
@@ -142,16 +168,12 @@ class VisiblePieces {
     if (from != to) lines_.push_back({points_.index(from), points_.index(to), ring});
   }
 
-  void collect_border_lines() {
-    for (const auto& border : surface_.borders) {
-      for (std::size_t i = 0; i < border.size(); ++i) {
-        if (!is_border(border[i])) continue;
-        const PointId next = border[i + 1 == border.size() ? 0 : i + 1].image;
-        if (surface_.back_facing) {
-          add_line(next, border[i].image, false);
-        } else {
-          add_line(border[i].image, next, false);
-        }
+  void add_border_lines() {
+    for (const BorderLine& line : border_) {
+      if (surface_.back_facing) {
+        add_line(line.to_point, line.from_point, false);
+      } else {
+        add_line(line.from_point, line.to_point, false);
       }
     }
   }
@@ -179,7 +201,7 @@ class VisiblePieces {
     for (const EdgeSide& side : scene_.sides_of(segment.edge)) {
       if (surface_of(mesh_, side.facet) != surface_.surface || !side.mesh_edge.valid()) continue;
       for (const EdgePoint& p : edge_points_.on(side.mesh_edge)) {
-        if (between(p.point)) result.push_back(p.point);
+        if (between(p.point) && points_.contains(p.point)) result.push_back(p.point);
       }
     }
     if (surface_.borders.size() == 1) return result;
@@ -232,20 +254,17 @@ class VisiblePieces {
   // Along the border the triangulation runs from one standing vertex to the next; the surface's own line may have other
   // ends.
   void add_joins() {
-    for (const auto& border : surface_.borders) {
-      for (std::size_t i = 0; i < border.size(); ++i) {
-        if (!is_border(border[i])) continue;
-        const ViewBorderPoint& next = border[i + 1 == border.size() ? 0 : i + 1];
-        const VertexId standing_from = points_[points_.index(border[i].image)].vertex;
-        const VertexId standing_to = points_[points_.index(next.image)].vertex;
-        add_join(standing_from, border[i].border.vertex, next.border.vertex);
-        add_join(standing_from, next.border.vertex, standing_to);
-      }
+    for (const BorderLine& line : border_) {
+      const VertexId standing_from = points_[points_.index(line.from_point)].vertex;
+      const VertexId standing_to = points_[points_.index(line.to_point)].vertex;
+      add_join(standing_from, line.from, line.to);
+      add_join(standing_from, line.to, standing_to);
     }
   }
 
   void add_join(VertexId a, VertexId b, VertexId c) {
-    if (a != b && b != c && c != a) pieces_.push_back({{a, b, c}, false});
+    if (welded(a) == welded(b) || welded(b) == welded(c) || welded(c) == welded(a)) return;
+    pieces_.push_back({{a, b, c}, false});
   }
 
   const Mesh& mesh_;
@@ -254,7 +273,7 @@ class VisiblePieces {
   const VisibleSegments& segments_;
   const SurfaceInView& surface_;
   const EdgePoints& edge_points_;
-  const std::span<const std::uint8_t> is_inside_;
+  std::vector<BorderLine> border_;
   SurfacePoints points_;
   std::vector<Line> lines_;
   std::vector<Piece> pieces_;
@@ -262,11 +281,11 @@ class VisiblePieces {
 
 }  // namespace
 
-std::vector<Piece> visible_pieces(const Mesh& mesh, const ImagePoints& points, const VisibleSegments& segments,
-                                  const SurfaceInView& surface, const EdgePoints& edge_points,
-                                  std::span<const std::uint8_t> is_inside, const std::vector<Point3>& vertices,
-                                  const ProjectedScene& scene, InnerVertices& inner) {
-  return VisiblePieces(mesh, points, segments, surface, edge_points, is_inside, scene).run(vertices, inner);
+std::vector<Piece> visible_pieces(const Mesh& mesh, const ProjectedScene& scene, const ImagePoints& points,
+                                  const VisibleSegments& segments, const SurfaceInView& surface,
+                                  const EdgePoints& edge_points, const std::vector<Point3>& vertices,
+                                  InnerVertices& inner) {
+  return VisiblePieces(mesh, scene, points, segments, surface, edge_points).run(vertices, inner);
 }
 
 }  // namespace sightline

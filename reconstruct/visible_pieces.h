@@ -33,11 +33,10 @@ struct SurfaceInView {
   std::vector<SegmentId> visible;                     // the segments of its visible polygons
 };
 
-// is_inside: per mesh edge, whether it lies inside a planar face and is no border. vertices: of the labelled surface.
-[[nodiscard]] std::vector<Piece> visible_pieces(const Mesh& mesh, const ImagePoints& points,
-                                                const VisibleSegments& segments, const SurfaceInView& surface,
-                                                const EdgePoints& edge_points, std::span<const std::uint8_t> is_inside,
-                                                const std::vector<Point3>& vertices, const ProjectedScene& scene,
-                                                InnerVertices& inner);
+// vertices: of the labelled surface.
+[[nodiscard]] std::vector<Piece> visible_pieces(const Mesh& mesh, const ProjectedScene& scene,
+                                                const ImagePoints& points, const VisibleSegments& segments,
+                                                const SurfaceInView& surface, const EdgePoints& edge_points,
+                                                const std::vector<Point3>& vertices, InnerVertices& inner);
 
 }  // namespace sightline

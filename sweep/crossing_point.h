@@ -1,12 +1,14 @@
 // The point where two edges cross, exactly.
 //
-// In:  two edges of the scene that cross in one point. Out: the point as a fraction; its order against vertices and
-// other crossings. Holds: with B = 41 bits and a sign per coordinate, differences d have |d| <= 2^41, so
-//   denominator = d1 x d2             |.| <= 2^83
-//   numerator   = (p2 - p1) x d2      |.| <= 2^83
-//   offset      = d1 * numerator      |.| <= 2^124
+// In:  two edges of the scene that cross in one point.
+// Out: the point as a fraction; its order against vertices and other crossings.
+// Sizes: with coordinates of 41 bits and a sign, a difference d has |d| <= 2^41, so
+//   denominator = d1 x d2               |.| <= 2^83
+//   numerator   = (p2 - p1) x d2        |.| <= 2^83
+//   offset      = d1 * numerator        |.| <= 2^124
 // and a comparison with a vertex stays below 2^125: 128 bits do. Two crossings compare in 2^210: 256 bits, behind a
-// filter. Symmetry: the point does not depend on the order of the two edges.
+// filter.
+// Symmetry: the point does not depend on the order of the two edges.
 #pragma once
 
 #include "geometry/image_point.h"

@@ -1,16 +1,15 @@
 // Which of two facets is in front, exactly, on the input's own coordinates: depth is never rounded.
 //
-// In:  two facets that overlap somewhere in the image and are not edge-on. Out: whether the first is nearer to the eye
-// there. Holds: facets that do not interpenetrate have one order wherever they overlap, since both are convex and
-// planar; so the
-//        answer does not depend on the place. nearer(f, g) != nearer(g, f). Coplanar facets: the lower face index is in
-//        front.
+// In:  two facets that overlap somewhere in the image and are not edge-on.
+// Out: whether the first is nearer to the eye there.
+// Holds: facets that do not interpenetrate have one order wherever they overlap, since both are convex and planar; so
+// the answer does not depend on the place. nearer(f, g) != nearer(g, f). Coplanar facets: the lower face index is in
+// front.
 // Method: if all of one facet is on one side of the other's plane, that side decides. Otherwise they straddle each
-// other's planes, and a place where they
-//        overlap is found: a corner of one within the other, or edges of both that cross, seen from the eye. Such a
-//        place shows the order by one orient3d. Places that show both orders prove that the facets interpenetrate: a
-//        conflict, which is recorded. Facets that overlap in the rounded image only (narrower than the grid) show no
-//        place; the lower facet index is in front.
+// other's planes, and a place where they overlap is found: a corner of one within the other, or edges of both that
+// cross, seen from the eye. Such a place shows the order by one orient3d. Places that show both orders prove that the
+// facets interpenetrate: a conflict, which is recorded. Facets that overlap in the rounded image only (narrower than
+// the grid) show no place; the lower facet index is in front.
 // Departure from Fang's appendix B, which compares depths at the sweep point: that needs the rounded point lifted, and
 // cannot be exact.
 #pragma once

@@ -37,8 +37,8 @@ class EdgeSides {
     return sign_of(static_cast<Int128>(u.x) * v.y - static_cast<Int128>(u.y) * v.x);
   }
 
-  // Just below p, a point of `along`, the sweep line crosses `line`, which ends at its ends: -1 where it does so left
-  // of `along`, +1 to the right, 0 on it. Precondition: crosses_below(line, p).
+  // `along` passes through p. Just below p the sweep line meets `line` left of `along` (-1), on it (0) or right of it
+  // (+1). Precondition: crosses_below(line, p).
   [[nodiscard]] Sign place_beside(const SweptLine& line, PointId p, const SweptLine& along) const {
     const Sign at_point = side(line, p);
     return -(at_point != 0 ? at_point : turn(line, along));
@@ -58,7 +58,7 @@ class EdgeSides {
     return {bottom.x - top.x, bottom.y - top.y};
   }
 
-  // Whether p is a crossing of an edge between the line's ends: then it is on it, without arithmetic.
+  // Whether p is a crossing on an edge between the line's ends: then it is on it, without arithmetic.
   [[nodiscard]] bool is_made_by(const SweptLine& line, PointId p) const {
     if (p.index() < scene_->points.size()) return false;
     const Crossing& crossing = segments_->crossings[p.index() - scene_->points.size()];

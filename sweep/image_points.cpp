@@ -36,8 +36,13 @@ ImagePoints::ImagePoints(const ProjectedScene& scene, const VisibleSegments& seg
 }
 
 Point2 ImagePoints::in_window(PointId p) const {
-  const Point2& grid = approximate(p);
-  return {std::ldexp(grid.x, -scene_->grid_bits), std::ldexp(grid.y, -scene_->grid_bits)};
+  if (p.index() < scene_->points.size()) {
+    const Point2& grid = approximate(p);
+    return {std::ldexp(grid.x, -scene_->grid_bits), std::ldexp(grid.y, -scene_->grid_bits)};
+  }
+  const ExactPoint exact_place = exact(p);
+  return {std::ldexp(rounded_quotient(exact_place.x, exact_place.denominator), -scene_->grid_bits),
+          std::ldexp(rounded_quotient(exact_place.y, exact_place.denominator), -scene_->grid_bits)};
 }
 
 ExactPoint ImagePoints::exact(PointId p) const {

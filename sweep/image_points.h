@@ -19,6 +19,7 @@ class ImagePoints {
 
   // In grid units; exact for scene points, off by at most crossing_error for crossings.
   [[nodiscard]] const Point2& approximate(PointId p) const { return approximate_[p.index()]; }
+  // In the window's units: the exact place, rounded once.
   [[nodiscard]] Point2 in_window(PointId p) const;
   [[nodiscard]] ExactPoint exact(PointId p) const;
 

@@ -6,9 +6,8 @@
 // A segment runs along one edge between one face on its left and one on its right:
 //   - its edge is one of the visible face's own edges where one lies there, else one of the face's on the other side;
 //   - it stays open through a sweep point as long as that edge and its surface stay the same (what lies on the other
-//   side may
-//     change: Fang's segment 4), and no other segment of its surface starts or ends at that point: so the segments of
-//     one surface meet in end points only.
+//     side may change: Fang's segment 4), and no other segment of its surface starts or ends at that point: so the
+//     segments of one surface meet in end points only.
 #pragma once
 
 #include <span>

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "sweep/edge_sides.h"
+#include "sweep/validate_crossings.h"
 #include "sweep/visible_segments.h"
 
 namespace sightline {
@@ -51,58 +52,6 @@ Messages check_ranges(const VisibleSegments& segments, const ProjectedScene& sce
   }
   return messages;
 }
-
-// Crossings are found with the scene's points alone; everything after this may rely on them.
-class CrossingCheck {
- public:
-  CrossingCheck(const VisibleSegments& segments, const ProjectedScene& scene, Messages& messages)
-      : segments_(segments), scene_(scene), messages_(messages) {}
-
-  void run() {
-    for (std::size_t c = 0; c < segments_.crossings.size(); ++c) {
-      const Crossing& crossing = segments_.crossings[c];
-      if (!separates(crossing.a, crossing.b) || !separates(crossing.b, crossing.a)) {
-        messages_.push_back(crossing_name(c) + " is of " + name(crossing.a) + " and " + name(crossing.b) +
-                            ", which do not cross inside both");
-      } else {
-        check_place(c);
-      }
-    }
-  }
-
- private:
-  // Whether the ends of b lie strictly on different sides of a.
-  [[nodiscard]] bool separates(EdgeId a, EdgeId b) const {
-    const auto side = [&](PointId p) {
-      return orientation(scene_.point(scene_.edge(a).top), scene_.point(scene_.edge(a).bottom), scene_.point(p));
-    };
-    return side(scene_.edge(b).top) * side(scene_.edge(b).bottom) < 0;
-  }
-
-  void check_place(std::size_t c) {
-    const CrossingPoint point = place(c);
-    const std::size_t after = segments_.crossings[c].after.index();
-    if ((after > 0 && sweep_compare(point, scene_.points[after - 1]) <= 0) ||
-        (after < scene_.points.size() && sweep_compare(point, scene_.points[after]) >= 0))
-      messages_.push_back(crossing_name(c) + " is not where it should be between the scene's points");
-    if (has_previous_ && sweep_compare(previous_, point) >= 0)
-      messages_.push_back(crossing_name(c) + " does not follow the one before it in sweep order");
-    previous_ = point;
-    has_previous_ = true;
-  }
-
-  [[nodiscard]] CrossingPoint place(std::size_t c) const {
-    const SceneEdge& a = scene_.edge(segments_.crossings[c].a);
-    const SceneEdge& b = scene_.edge(segments_.crossings[c].b);
-    return crossing_point(scene_.point(a.top), scene_.point(a.bottom), scene_.point(b.top), scene_.point(b.bottom));
-  }
-
-  const VisibleSegments& segments_;
-  const ProjectedScene& scene_;
-  Messages& messages_;
-  CrossingPoint previous_;
-  bool has_previous_ = false;
-};
 
 class SegmentCheck {
  public:
@@ -268,7 +217,7 @@ class SegmentCheck {
 std::vector<std::string> validate(const VisibleSegments& segments, const ProjectedScene& scene) {
   Messages messages = check_ranges(segments, scene);
   if (!messages.empty()) return messages;
-  CrossingCheck(segments, scene, messages).run();
+  check_crossings(segments, scene, messages);
   if (messages.empty()) SegmentCheck(segments, scene, messages).run();
   return messages;
 }

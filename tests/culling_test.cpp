@@ -244,7 +244,8 @@ TEST_CASE("closed models are culled from outside, and not from inside or when th
     }
     const Mesh mesh = read_obj(shared_model(name)).mesh;
     const MeshContacts contacts = find_contacts(mesh);
-    const SidesDecision decision = decide_sides(mesh, contacts, camera_at({{300, 200, 500}, 1}), SidesPolicy::automatic);
+    const SidesDecision decision =
+        decide_sides(mesh, contacts, camera_at({{300, 200, 500}, 1}), SidesPolicy::automatic);
     INFO(decision.reason);
     const std::string model = name;
     if (model == "self_intersectA") {

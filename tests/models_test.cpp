@@ -1,0 +1,169 @@
+// Every mesh of the optional folder of models, from three cameras: the stages' checkers, the laws, and ray casting.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+
+#include "geometry/interpenetration.h"
+#include "geometry/obj_reader.h"
+#include "tests/oracle/facet_crossing.h"
+#include "tests/oracle/labelled_laws.h"
+#include "tests/oracle/ray_caster.h"
+#include "tests/oracle/scene_changes.h"
+
+namespace sightline::oracle {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path models_folder() {
+  const char* wanted = std::getenv("SIGHTLINE_SHARED");
+  return fs::path(wanted != nullptr ? wanted : SIGHTLINE_SHARED_DIR) / "models";
+}
+
+std::vector<fs::path> models() {
+  std::vector<fs::path> result;
+  if (!fs::exists(models_folder())) return result;
+  for (const auto& entry : fs::directory_iterator(models_folder())) {
+    if (entry.path().extension() == ".obj") result.push_back(entry.path());
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+struct Box {
+  Point3 low;
+  Point3 high;
+};
+
+Box box_of(const Mesh& mesh) {
+  Box box{mesh.vertices.front(), mesh.vertices.front()};
+  for (const Point3& p : mesh.vertices) {
+    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y), std::min(box.low.z, p.z)};
+    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y), std::max(box.high.z, p.z)};
+  }
+  return box;
+}
+
+struct Shot {
+  Camera camera;
+  Sides sides = Sides::both;
+};
+
+// All of it from the front; from within its box, with much behind the eye and across the window's border; along a
+// diagonal.
+std::vector<Shot> shots(const Mesh& mesh) {
+  const Box box = box_of(mesh);
+  const Point3 centre = 0.5 * (box.low + box.high);
+  const Vector3 extent = box.high - box.low;
+  const double size = norm(extent);
+  const auto view = [&](const Vector3& from) {
+    ViewPoint v;
+    v.eye = centre + from;
+    v.target = centre;
+    return v;
+  };
+  return {{perspective_camera("front", view(size * Vector3{0.2, 0.3, 1.5}), 40), Sides::both},
+          {perspective_camera("close", view({0.3 * extent.x, 0.2 * extent.y, 0.4 * extent.z}), 70), Sides::both},
+          {orthographic_camera("diagonal", view(size * Vector3{1, 0.8, 0.6}), 0.7 * size), Sides::front}};
+}
+
+struct RayTally {
+  std::size_t on_edge = 0;
+  std::size_t excused = 0;
+  std::size_t seen = 0;
+  Complaints complaints;
+};
+
+// What the polygons show at a ray, as a face; nothing where they show nothing.
+std::vector<FaceId> shown(const View& view, const std::vector<std::size_t>& polygons) {
+  std::vector<FaceId> faces;
+  for (const std::size_t p : polygons) faces.push_back(view.polygons.polygons[p].face);
+  return faces;
+}
+
+RayTally compare_rays(const Mesh& mesh, const View& view) {
+  const auto rays = fixed_rays(view.scene.grid_bits, 1000);
+  auto hits = cast(view.scene, rays);
+  const auto polygons = polygons_around(view, rays);
+  RayTally tally;
+  for (std::size_t r = 0; r < rays.size(); ++r) {
+    auto& facets = hits[r].facets;
+    tally.on_edge += hits[r].on_edge ? 1U : 0U;
+    if (hits[r].on_edge) continue;
+    if (facets.size() > 1) sort_by_depth(facets, mesh, view.scene, rays[r]);
+    std::vector<FaceId> expected;
+    if (!facets.empty()) expected.push_back(mesh.facet_face[facets.front().index()]);
+    tally.seen += expected.size();
+    if (shown(view, polygons[r]) == expected) continue;
+    if (facets.size() > 1 && facets_cross(mesh, facets[0], facets[1])) {
+      ++tally.excused;
+      continue;
+    }
+    tally.complaints.push_back("ray " + std::to_string(r) + " at (" + std::to_string(rays[r].x) + ", " +
+                               std::to_string(rays[r].y) + ") sees face " +
+                               (expected.empty() ? "none" : std::to_string(expected[0].value)) + ", polygons show " +
+                               (polygons[r].empty() ? "none" : std::to_string(shown(view, polygons[r])[0].value)) +
+                               " of " + std::to_string(polygons[r].size()));
+  }
+  return tally;
+}
+
+// The first few, in one text.
+std::string some(Complaints complaints) {
+  if (complaints.size() > 10) complaints.resize(10);
+  return joined(complaints);
+}
+
+void check_stages_and_laws(const Mesh& mesh, const View& view, bool closed) {
+  CHECK(some(complaints_of_stages(mesh, view)) == "");
+  CHECK(some(input_vertices_kept(mesh, view.labelled)) == "");
+  CHECK(some(areas_kept(mesh, view.labelled)) == "");
+  if (closed) CHECK(is_closed(view.labelled));
+}
+
+}  // namespace
+
+TEST_CASE("models: stages, laws and ray casting from three cameras") {
+  if (models().empty()) MESSAGE("no models in " << models_folder().string());
+  for (const fs::path& file : models()) {
+    const Mesh mesh = read_obj(file).mesh;
+    const bool closed = is_closed(mesh);
+    for (const Shot& shot : shots(mesh)) {
+      INFO(file.filename().string(), " ", shot.camera.name);
+      View view;
+      REQUIRE_NOTHROW(view = analyze(mesh, shot.camera, shot.sides));
+      check_stages_and_laws(mesh, view, closed);
+      const RayTally tally = compare_rays(mesh, view);
+      CHECK(some(tally.complaints) == "");
+      CHECK(tally.on_edge <= 10);
+      CHECK(tally.seen >= 50);
+      MESSAGE(file.filename().string() << " " << shot.camera.name << ": " << tally.seen << " rays see a face, "
+                                       << tally.on_edge << " on an edge, " << tally.excused
+                                       << " excused where faces interpenetrate");
+    }
+  }
+}
+
+TEST_CASE("models: order and handedness change nothing") {
+  constexpr std::size_t small = 10000;
+  for (const fs::path& file : models()) {
+    const Mesh mesh = read_obj(file).mesh;
+    if (mesh.facet_count() > small) continue;
+    Dice dice(7);
+    const Shot shot = shots(mesh).front();
+    INFO(file.filename().string());
+    const View view = analyze(mesh, shot.camera, shot.sides);
+    CHECK(identical(view, analyze(mesh, shot.camera, shot.sides)));
+    if (!find_contacts(mesh).crossing.empty())
+      continue;  // their order is the sweep's until they are cut along their common lines
+    const Outcome before = outcome(mesh, view);
+    const Mesh turned = with_corners_rotated(mesh, dice);
+    CHECK(some(differences(before, outcome(turned, analyze(turned, shot.camera, shot.sides)))) == "");
+    const Mesh mirror = mirrored(mesh);
+    CHECK(some(differences(before, outcome(mirror, analyze(mirror, mirrored(shot.camera), shot.sides)))) == "");
+  }
+}
+
+}  // namespace sightline::oracle

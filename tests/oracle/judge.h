@@ -1,0 +1,43 @@
+// The whole path on one scene, held against the oracle and against every stage's own checker.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "sightline/analyze.h"
+#include "tests/oracle/oracle.h"
+#include "tests/oracle/random_scenes.h"
+
+namespace sightline::oracle {
+
+using Complaints = std::vector<std::string>;
+
+// What the checkers of all stages say, each line with the stage in front.
+[[nodiscard]] Complaints complaints_of_stages(const Mesh& mesh, const View& view);
+
+// The exact visible area per face, in grid units squared: its polygons together.
+[[nodiscard]] std::vector<Rational> visible_areas(const Mesh& mesh, const View& view);
+
+// The window's area in grid units squared.
+[[nodiscard]] Rational window_area(int grid_bits);
+
+struct Verdict {
+  Complaints complaints;
+  SweepStatistics statistics;
+  Degeneracy degeneracy;
+};
+
+// Every difference between sightline and the oracle. An exception that sightline throws is a complaint.
+[[nodiscard]] Verdict judge(const RandomScene& scene);
+
+// The scene without the faces (and then vertices) that are not needed for `fails` to stay true.
+[[nodiscard]] RandomScene reduced(RandomScene scene, const std::function<bool(const RandomScene&)>& fails);
+
+// How many random scenes a test looks at: `full`, or less where the environment variable SIGHTLINE_RANDOM_SCENES says
+// so (for builds with sanitizers).
+[[nodiscard]] std::uint64_t scene_count(std::uint64_t full);
+
+[[nodiscard]] std::string joined(const Complaints& complaints);
+
+}  // namespace sightline::oracle

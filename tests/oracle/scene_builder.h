@@ -1,0 +1,51 @@
+// Grows a random scene face by face; takes only what keeps the promises of random_scenes.h.
+#pragma once
+
+#include <cstdint>
+#include <set>
+#include <vector>
+
+#include "tests/oracle/lattice.h"
+#include "tests/oracle/pair_relation.h"
+#include "tests/oracle/random_scenes.h"
+
+namespace sightline::oracle {
+
+using Corners = std::vector<std::uint32_t>;
+
+class SceneBuilder {
+ public:
+  SceneBuilder(Lattice lattice, Dice& dice) : lattice_(std::move(lattice)), dice_(&dice) {}
+
+  [[nodiscard]] const Lattice& lattice() const { return lattice_; }
+  [[nodiscard]] const std::vector<LatticePoint>& points() const { return points_; }
+  [[nodiscard]] const std::vector<Corners>& faces() const { return faces_; }
+  [[nodiscard]] const SceneNotes& notes() const { return notes_; }
+
+  // A vertex at the point: mostly the one that is there already, sometimes a second one.
+  std::uint32_t vertex(const LatticePoint& p);
+
+  // Adds all of the faces or, where one of them breaks a promise, none. A face is planar or has four corners.
+  bool add(const std::vector<Corners>& faces);
+
+ private:
+  struct Proposal {
+    std::vector<LatticePoint> key;   // its corners, sorted
+    std::vector<PlacedFace> pieces;  // itself, or both triangulations where it is not planar
+    SceneNotes notes;
+  };
+  [[nodiscard]] std::optional<Proposal> propose(const Corners& corners) const;
+  [[nodiscard]] std::optional<PlacedFace> place(const std::vector<LatticePoint>& corners) const;
+  [[nodiscard]] bool fits(Proposal& proposal) const;
+  [[nodiscard]] bool add_one(const Corners& corners);
+
+  Lattice lattice_;
+  Dice* dice_;
+  std::vector<LatticePoint> points_;
+  std::vector<Corners> faces_;
+  std::vector<PlacedFace> placed_;
+  std::set<std::vector<LatticePoint>> keys_;
+  SceneNotes notes_;
+};
+
+}  // namespace sightline::oracle

@@ -1,0 +1,209 @@
+// The parts of the sweep by themselves: crossing points, the active edge list, node lists, depth.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <random>
+
+#include "geometry/culling.h"
+#include "sweep/active_edge_list.h"
+#include "sweep/crossing_point.h"
+#include "sweep/depth_order.h"
+#include "sweep/node_list.h"
+
+using namespace sightline;
+
+namespace {
+
+using Exact = boost::multiprecision::cpp_rational;
+
+constexpr unsigned seed = 42;
+
+Exact exact_y(const CrossingPoint& c) {
+  return Exact(c.base.y) + Exact(BigInteger(c.offset_y)) / Exact(BigInteger(c.denominator));
+}
+Exact exact_x(const CrossingPoint& c) {
+  return Exact(c.base.x) + Exact(BigInteger(c.offset_x)) / Exact(BigInteger(c.denominator));
+}
+
+int rational_order(const CrossingPoint& a, const CrossingPoint& b) {
+  if (exact_y(a) != exact_y(b)) return exact_y(a) > exact_y(b) ? -1 : 1;
+  if (exact_x(a) != exact_x(b)) return exact_x(a) < exact_x(b) ? -1 : 1;
+  return 0;
+}
+
+ImagePoint random_point(std::mt19937& random, std::int64_t size) {
+  std::uniform_int_distribution<std::int64_t> coordinate(-size, size);
+  return {coordinate(random), coordinate(random)};
+}
+
+CrossingPoint random_crossing(std::mt19937& random, std::int64_t size) {
+  while (true) {
+    const ImagePoint a = random_point(random, size);
+    const ImagePoint b = random_point(random, size);
+    const ImagePoint c = random_point(random, size);
+    const ImagePoint d = random_point(random, size);
+    const bool cross =
+        orientation(a, b, c) * orientation(a, b, d) < 0 && orientation(c, d, a) * orientation(c, d, b) < 0;
+    if (cross) return crossing_point(a, b, c, d);
+  }
+}
+
+// Parallel squares facing +z, the higher face in front of the lower for an eye far up z.
+Mesh stack(const std::vector<double>& heights) {
+  std::vector<Point3> vertices;
+  PolygonList faces;
+  for (const double z : heights) {
+    const std::size_t first = vertices.size();
+    vertices.insert(vertices.end(), {{-1, -1, z}, {1, -1, z}, {1, 1, z}, {-1, 1, z}});
+    faces.push_back(std::array{VertexId(first), VertexId(first + 1), VertexId(first + 2), VertexId(first + 3)});
+  }
+  return build_mesh(std::move(vertices), std::move(faces));
+}
+
+Camera from_above() { return orthographic_camera("above", {{0, 0, 10}, {0, 0, 0}, {0, 1, 0}, 1, {}, {}}, 4); }
+
+}  // namespace
+
+TEST_CASE("crossing points: order and rounding, against rationals, at both ends of the grid") {
+  INFO("seed ", seed);
+  std::mt19937 random(seed);
+  int equal = 0;
+  for (const std::int64_t size : {std::int64_t{3}, std::int64_t{1} << 40}) {
+    for (int i = 0; i < 1500; ++i) {
+      const CrossingPoint a = random_crossing(random, size);
+      const CrossingPoint b = random_crossing(random, size);
+      CAPTURE(i);
+      CHECK(sweep_compare(a, b) == rational_order(a, b));
+      CHECK(crossing_tiers::exact(a, b) == rational_order(a, b));
+      equal += rational_order(a, b) == 0 ? 1 : 0;
+      CHECK(abs(Exact(a.x) - exact_x(a)) <= Exact(crossing_error));
+      CHECK(abs(Exact(a.y) - exact_y(a)) <= Exact(crossing_error));
+      const ImagePoint p = random_point(random, size);
+      const CrossingPoint at_p{p, 0, 0, 1, 0, 0};
+      CHECK(sweep_compare(a, p) == rational_order(a, at_p));
+    }
+  }
+  CHECK(equal > 20);
+}
+
+TEST_CASE("a crossing does not depend on the order of its edges") {
+  const ImagePoint a{0, 10};
+  const ImagePoint b{7, -3};
+  const ImagePoint c{5, 9};
+  const ImagePoint d{-2, -4};
+  CHECK(sweep_compare(crossing_point(a, b, c, d), crossing_point(c, d, a, b)) == 0);
+}
+
+TEST_CASE("the active edge list against a plain list: order, search, nearest visible") {
+  INFO("seed ", seed);
+  std::mt19937 random(seed);
+  ActiveEdgeList active(1);
+  std::vector<BundleId> plain;
+  const auto pick = [&](std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(random); };
+  int nearest_found = 0;
+  for (int step = 0; step < 4000; ++step) {
+    CAPTURE(step);
+    const bool insert = plain.empty() || pick(5) < 3;
+    if (insert) {
+      const std::size_t place = pick(plain.size() + 1);
+      const BundleId b = active.insert_after(place == 0 ? BundleId{} : plain[place - 1]);
+      plain.insert(plain.begin() + static_cast<std::ptrdiff_t>(place), b);
+      if (pick(4) == 0) active[b].left_segment.segment = SegmentId(0);
+      active.visibility_changed(b);
+    } else {
+      const std::size_t place = pick(plain.size());
+      active.erase(plain[place]);
+      plain.erase(plain.begin() + static_cast<std::ptrdiff_t>(place));
+    }
+    REQUIRE(active.empty() == plain.empty());
+    if (plain.empty()) continue;
+    CHECK(active.first() == plain.front());
+    CHECK(active.last() == plain.back());
+    const std::size_t place = pick(plain.size());
+    CHECK(active.next(plain[place]) == (place + 1 < plain.size() ? plain[place + 1] : BundleId{}));
+    CHECK(active.previous(plain[place]) == (place > 0 ? plain[place - 1] : BundleId{}));
+    const auto left_of = [&](const Bundle& bundle) {
+      for (std::size_t i = 0; i < place; ++i) {
+        if (&active[plain[i]] == &bundle) return true;
+      }
+      return false;
+    };
+    CHECK(active.find(left_of) == plain[place]);
+    BundleId nearest;
+    for (std::size_t i = 0; i < place; ++i) nearest = active[plain[i]].visible() ? plain[i] : nearest;
+    CHECK(active.nearest_visible_before(plain[place]) == nearest);
+    nearest_found += nearest.valid() ? 1 : 0;
+  }
+  CHECK(nearest_found > 500);
+}
+
+TEST_CASE("depth: the nearer of parallel faces, whichever way they are asked; ties go to the lower face") {
+  const Mesh mesh = stack({0, 1, 0.5, std::nextafter(1.0, 2.0)});
+  const ProjectedScene scene = project(mesh, from_above(), Sides::both);
+  DepthOrder depth(mesh, scene);
+  const std::vector<FacetId> front_to_back{FacetId(3), FacetId(1), FacetId(2), FacetId(0)};
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t j = i + 1; j < 4; ++j) {
+      CHECK(depth.nearer(front_to_back[i], front_to_back[j]));
+      CHECK_FALSE(depth.nearer(front_to_back[j], front_to_back[i]));
+    }
+  }
+  CHECK(depth.conflicts().empty());
+}
+
+TEST_CASE("depth: faces that straddle each other's planes without meeting have an order") {
+  // Two bars that cross in the image, one above the other, both tilted so that each plane cuts the other bar.
+  PolygonList faces;
+  faces.push_back(std::array{VertexId(0), VertexId(1), VertexId(2)});
+  faces.push_back(std::array{VertexId(3), VertexId(4), VertexId(5)});
+  const Mesh mesh =
+      build_mesh({{-4, -0.5, 3}, {4, 0, -1}, {-4, 0.5, 3}, {-0.5, -4, -3}, {0.5, -4, -3}, {0, 4, 2}}, std::move(faces));
+  const ProjectedScene scene =
+      project(mesh, orthographic_camera("above", {{0, 0, 10}, {0, 0, 0}, {0, 1, 0}, 1, {}, {}}, 16), Sides::both);
+  DepthOrder depth(mesh, scene);
+  CHECK(depth.nearer(FacetId(0), FacetId(1)));
+  CHECK_FALSE(depth.nearer(FacetId(1), FacetId(0)));
+  CHECK(depth.conflicts().empty());
+}
+
+TEST_CASE("depth: faces that pass through each other are a conflict") {
+  PolygonList faces;
+  faces.push_back(std::array{VertexId(0), VertexId(1), VertexId(2)});
+  faces.push_back(std::array{VertexId(3), VertexId(4), VertexId(5)});
+  const Mesh mesh =
+      build_mesh({{-1, -1, -0.3}, {1, -1, 0.4}, {0, 1, 0}, {-1, 1, 0.3}, {1, 1, -0.4}, {0, -1, 0.1}}, std::move(faces));
+  const ProjectedScene scene = project(mesh, from_above(), Sides::both);
+  DepthOrder depth(mesh, scene);
+  CHECK(depth.nearer(FacetId(0), FacetId(1)) != depth.nearer(FacetId(1), FacetId(0)));
+  CHECK(depth.conflicts().size() == 2);
+}
+
+TEST_CASE("node lists: shallowest first, and the same contents whatever the way") {
+  const Mesh mesh = stack({0, 1, 2});
+  const ProjectedScene scene = project(mesh, from_above(), Sides::both);
+  DepthOrder depth(mesh, scene);
+  const auto enter = [](std::size_t f) { return EdgeSide{FacetId(f), 1, MeshEdgeId{}}; };
+  const auto leave = [](std::size_t f) { return EdgeSide{FacetId(f), -1, MeshEdgeId{}}; };
+  for (const NodeOrder order : {NodeOrder::depth, NodeOrder::tournament}) {
+    NodeList list;
+    CHECK_FALSE(list.topmost().valid());
+    list.cross(std::array{enter(1), enter(0)}, depth, order);
+    CHECK(list.topmost() == FacetId(1));
+    list.cross(std::array{enter(2)}, depth, order);
+    CHECK(list.topmost() == FacetId(2));
+    NodeList other;
+    other.cross(std::array{enter(0)}, depth, order);
+    other.cross(std::array{enter(2), enter(1)}, depth, order);
+    CHECK(list.same_contents(other));
+    other.cross(std::array{leave(2)}, depth, order);
+    CHECK(other.topmost() == FacetId(1));
+    CHECK_FALSE(list.same_contents(other));
+    // A facet that the rounding has turned over leaves before it enters.
+    NodeList turned;
+    turned.cross(std::array{leave(0)}, depth, order);
+    CHECK(turned.topmost() == FacetId(0));
+    turned.cross(std::array{enter(0)}, depth, order);
+    CHECK_FALSE(turned.topmost().valid());
+    CHECK(turned.same_contents(NodeList{}));
+  }
+}
