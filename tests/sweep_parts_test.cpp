@@ -68,7 +68,7 @@ TEST_CASE("crossing points: order and rounding, against rationals, at both ends 
   INFO("seed ", seed);
   std::mt19937 random(seed);
   int equal = 0;
-  for (const std::int64_t size : {std::int64_t{3}, std::int64_t{1} << 40}) {
+  for (const std::int64_t size : {std::int64_t{1}, std::int64_t{3}, std::int64_t{1} << 40}) {
     for (int i = 0; i < 1500; ++i) {
       const CrossingPoint a = random_crossing(random, size);
       const CrossingPoint b = random_crossing(random, size);

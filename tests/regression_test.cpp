@@ -1,0 +1,149 @@
+// Scenes that once went wrong, each reduced and named by its shape; and scenes whose faces interpenetrate, where depth
+// is no order: the answer may be either face, but the structure must hold.
+#include <doctest/doctest.h>
+
+#include <random>
+
+#include "tests/oracle/judge.h"
+
+using namespace sightline;
+using oracle::RandomScene;
+
+namespace {
+
+Camera camera_of(Projection projection, const Vector3& right, const Vector3& up, const Vector3& forward,
+                 const Point3& origin) {
+  Camera camera;
+  camera.projection = projection;
+  camera.right = right;
+  camera.up = up;
+  camera.forward = forward;
+  camera.origin = origin;
+  camera.eye = projection == Projection::perspective ? HomogeneousPoint{origin, 1}
+                                                     : HomogeneousPoint{{-forward.x, -forward.y, -forward.z}, 0};
+  return camera;
+}
+
+void check(const RandomScene& scene) {
+  const auto verdict = oracle::judge(scene);
+  CHECK_MESSAGE(verdict.complaints.empty(), oracle::joined(verdict.complaints));
+}
+
+Mesh random_soup(std::mt19937& random, int triangles, int size) {
+  std::uniform_int_distribution<int> coordinate(-size, size);
+  std::vector<Point3> vertices;
+  PolygonList faces;
+  for (int i = 0; i < triangles; ++i) {
+    const std::size_t first = vertices.size();
+    for (int k = 0; k < 3; ++k) {
+      vertices.push_back({1.0 * coordinate(random), 1.0 * coordinate(random), 1.0 * coordinate(random)});
+    }
+    faces.push_back(std::array{VertexId(first), VertexId(first + 1), VertexId(first + 2)});
+  }
+  return build_mesh(std::move(vertices), std::move(faces));
+}
+
+}  // namespace
+
+TEST_CASE("another face has the diagonal of a concave face as its edge") {
+  RandomScene scene;
+  scene.camera = camera_of(Projection::perspective, {-0.5, 0, 0}, {0, -0.5, 0}, {0, 0, -1}, {-3, 3, -1});
+  scene.vertices = {{-2, 3, -2}, {-3, 2, -2}, {-3, 4, -2}, {-2, 4, -2}, {-4, 3, -2}, {-3, 3, -2}, {-2, 2, -2}};
+  scene.faces = {{0, 1, 2}, {3, 4, 5, 6}, {0, 5, 3}};
+  check(scene);
+}
+
+TEST_CASE("the window's border runs through two corners of a face and cuts off a third") {
+  RandomScene scene;
+  scene.camera = camera_of(Projection::orthographic, {-0.5, 0, 0}, {0, -0.5, 0}, {0, 0, -1}, {-2, -2, 1});
+  scene.vertices = {{-2, -1, 1}, {-4, 0, 1}, {-3, 0, 0}, {-4, -1, -2}, {-4, 0, 1}, {-3, 1, 1}, {-3, 0, -2}};
+  scene.faces = {{0, 1, 2}, {3, 4, 5, 6}};
+  check(scene);
+}
+
+TEST_CASE("a diagonal of a concave face lies on the window's border, one side of it in view") {
+  RandomScene scene;
+  scene.camera = camera_of(Projection::perspective, {0, 0.5, 0}, {0, 0, 0.5}, {-1, 0, 0}, {2, 1, 1});
+  scene.vertices = {{0, 5, -1}, {0, 1, -1}, {0, -3, -3}, {0, -7, -3}, {0, -3, 7},
+                    {0, 9, 5},  {0, 1, 2},  {0, 5, 5},   {1, -1, -1}, {-2, -15, 1}};
+  scene.faces = {{0, 1, 2, 3, 4, 5}, {6, 7, 8}, {1, 9, 4}};
+  check(scene);
+}
+
+TEST_CASE("a concave face is partly out of view beyond one of its diagonals") {
+  RandomScene scene;
+  scene.camera = camera_of(Projection::orthographic, {0, 0, 0.5}, {0, 0.5, 0}, {1, 0, 0}, {0, 1, -1});
+  scene.vertices = {{0, 2, 1}, {3, 4, -5},  {2, 1, -3}, {2, 3, -3}, {3, 3, 3},
+                    {3, 3, 1}, {3, -2, -4}, {3, 0, -1}, {3, -1, 1}};
+  scene.faces = {{0, 1, 2, 3}, {4, 5, 6, 7, 8}};
+  check(scene);
+}
+
+TEST_CASE("two planar faces overlap in one plane: the lower index is in front, whatever the order of the corners") {
+  RandomScene scene;
+  scene.camera = camera_of(Projection::orthographic, {0.25, 0, 0}, {0, 0.25, 0}, {0, 0, -1}, {0, 0, 5});
+  scene.vertices = {{-2, -2, 0}, {2, -2, 0}, {0, 3, 0}, {-2, 2, 0}, {0, -3, 0}, {2, 2, 0}};
+  scene.faces = {{0, 1, 2}, {3, 4, 5}};
+  check(scene);
+  scene.faces = {{3, 5, 4}, {2, 1, 0}};
+  check(scene);
+}
+
+TEST_CASE("a hole in a hole, each with a face in it, is threaded to the right ring") {
+  // Squares of falling size, each nearer, so that every one but the last shows as a frame.
+  RandomScene scene;
+  scene.camera = camera_of(Projection::orthographic, {0.125, 0, 0}, {0, 0.125, 0}, {0, 0, -1}, {0, 0, 9});
+  for (int k = 0; k < 6; ++k) {
+    const double r = 7 - k;
+    const auto first = static_cast<std::uint32_t>(scene.vertices.size());
+    scene.vertices.insert(scene.vertices.end(),
+                          {{-r, -r, 1.0 * k}, {r, -r, 1.0 * k}, {r, r, 1.0 * k}, {-r, r, 1.0 * k}});
+    scene.faces.push_back({first, first + 1, first + 2, first + 3});
+  }
+  check(scene);
+  const Mesh mesh = oracle::mesh_of(scene);
+  const View view = analyze(mesh, scene.camera);
+  REQUIRE(view.polygons.polygons.size() == 6);
+  for (std::size_t p = 0; p < 6; ++p) CHECK(view.polygons.polygons[p].ring_count == (p < 5 ? 2 : 1));
+}
+
+TEST_CASE("many holes in one face, some touching: each belongs to it, and the areas add up") {
+  RandomScene scene;
+  scene.camera = camera_of(Projection::orthographic, {0.0625, 0, 0}, {0, 0.0625, 0}, {0, 0, -1}, {0, 0, 9});
+  scene.vertices = {{-15, -15, 0}, {15, -15, 0}, {15, 15, 0}, {-15, 15, 0}};
+  scene.faces = {{0, 1, 2, 3}};
+  for (int row = -3; row <= 3; ++row) {
+    for (int column = -3; column <= 3; ++column) {
+      // Diamonds that touch their neighbours in a row at the tips.
+      const double x = 4 * column;
+      const double y = 4 * row;
+      const auto first = static_cast<std::uint32_t>(scene.vertices.size());
+      scene.vertices.insert(scene.vertices.end(), {{x - 2, y, 1}, {x, y - 1, 1}, {x + 2, y, 1}, {x, y + 1, 1}});
+      scene.faces.push_back({first, first + 1, first + 2, first + 3});
+    }
+  }
+  check(scene);
+  const View view = analyze(oracle::mesh_of(scene), scene.camera);
+  CHECK(view.polygons.polygons.front().ring_count == 50);
+}
+
+TEST_CASE("faces that interpenetrate: nothing is thrown, every stage is valid, and the areas add up") {
+  constexpr unsigned seed = 11;
+  INFO("seed ", seed);
+  std::mt19937 random(seed);
+  const ViewPoint view{{9, 7, 15}, {0, 0, 0}, {0, 1, 0}, 1, {}, {}};
+  std::size_t conflicts = 0;
+  for (int i = 0; i < 150; ++i) {
+    CAPTURE(i);
+    const Mesh mesh = random_soup(random, 4 + i % 40, i % 2 == 0 ? 3 : 1000);
+    const double fov = i % 3 == 0 ? 10 : 60;
+    const View result = analyze(mesh, perspective_camera("soup", view, fov), i % 5 == 0 ? Sides::front : Sides::both);
+    const auto complaints = oracle::complaints_of_stages(mesh, result);
+    CHECK_MESSAGE(complaints.empty(), oracle::joined(complaints));
+    conflicts += result.segments.conflicts.size();
+    Rational covered = 0;
+    for (const Rational& area : oracle::visible_areas(mesh, result)) covered += area;
+    CHECK(covered <= oracle::window_area(default_grid_bits));
+  }
+  CHECK(conflicts > 1000);
+}
