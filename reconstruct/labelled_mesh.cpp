@@ -1,14 +1,12 @@
 #include "reconstruct/labelled_mesh.h"
 
 #include <algorithm>
-#include <optional>
 
-#include "geometry/errors.h"
 #include "geometry/facet_plane.h"
 #include "reconstruct/edge_points.h"
 #include "reconstruct/facet_border.h"
-#include "reconstruct/lift.h"
 #include "reconstruct/outside_pieces.h"
+#include "reconstruct/surface_vertices.h"
 #include "reconstruct/visible_pieces.h"
 #include "sweep/image_points.h"
 
@@ -36,47 +34,6 @@ bool is_proper(const ProjectedScene& scene, FacetId facet) {
   }
   return turns && descents == 1;
 }
-
-// The vertices inside one surface: in its facets' interior, or where the view volume's border cuts them.
-class SurfaceVertices : public InnerVertices {
- public:
-  SurfaceVertices(const Mesh& mesh, const ProjectedScene& scene, const ImagePoints& points,
-                  std::vector<Point3>& vertices)
-      : mesh_(mesh), scene_(scene), points_(points), vertices_(vertices) {}
-
-  void begin(FacetId surface) {
-    surface_ = surface;
-    known_.clear();
-  }
-
-  VertexId at(PointId p, std::optional<Point3> position) override {
-    const auto place = std::lower_bound(known_.begin(), known_.end(), std::pair{p, VertexId{}},
-                                        [](const auto& a, const auto& b) { return a.first < b.first; });
-    if (place != known_.end() && place->first == p) return place->second;
-    const VertexId vertex(vertices_.size());
-    known_.insert(place, {p, vertex});
-    vertices_.push_back(position ? *position : lift(p));
-    return vertex;
-  }
-
- private:
-  [[nodiscard]] Point3 lift(PointId p) const {
-    const FaceId face = mesh_.facet_face[surface_.index()];
-    const bool whole_face = mesh_.face_planar[face.index()] != 0;
-    const std::size_t end = whole_face ? mesh_.end_facet(face) : surface_.index() + 1;
-    for (std::size_t f = surface_.index(); f < end; ++f) {
-      if (const auto lifted = lift_on_facet(scene_, points_, FacetId(f), p)) return *lifted;
-    }
-    throw InternalError("point " + std::to_string(p.value) + " is not on face " + std::to_string(face.value));
-  }
-
-  const Mesh& mesh_;
-  const ProjectedScene& scene_;
-  const ImagePoints& points_;
-  std::vector<Point3>& vertices_;
-  FacetId surface_;
-  std::vector<std::pair<PointId, VertexId>> known_;  // sorted
-};
 
 class Labeller {
  public:

@@ -4,79 +4,10 @@
 
 #include "geometry/facet_plane.h"
 #include "reconstruct/constrained_delaunay.h"
-#include "reconstruct/lift.h"
+#include "reconstruct/surface_points.h"
 
 namespace sightline {
 namespace {
-
-// The surface's points by image: exact there, and with their place in the surface's own plane for the shape of the
-// triangles.
-class SurfacePoints : public PlanarPoints {
- public:
-  SurfacePoints(const ImagePoints& image) : image_(image) {}
-
-  struct Entry {
-    PointId point;
-    VertexId vertex;  // the one that stands for all at this point
-    Point2 in_plane;
-  };
-
-  // Of several vertices at one point, the lowest stands for all.
-  void add(PointId point, VertexId vertex) { entries_.push_back({point, vertex, {}}); }
-
-  void sort() {
-    std::sort(entries_.begin(), entries_.end(), [this](const Entry& a, const Entry& b) {
-      return a.point != b.point ? image_.sweeps_before(a.point, b.point) : a.vertex < b.vertex;
-    });
-    const auto same_point = [](const Entry& a, const Entry& b) { return a.point == b.point; };
-    entries_.erase(std::unique(entries_.begin(), entries_.end(), same_point), entries_.end());
-  }
-
-  // Orthonormal coordinates in the plane of a, b, c. Rounded: they only choose between triangulations.
-  void place_in_plane(const Point3& a, const Point3& b, const Point3& c, const std::vector<Point3>& vertices) {
-    const Vector3 ab = b - a;
-    const Vector3 x_axis = (1 / norm(ab)) * ab;
-    const Vector3 normal = cross(x_axis, c - a);
-    const Vector3 y_axis = (1 / norm(normal)) * cross(normal, x_axis);
-    for (Entry& entry : entries_) {
-      const Vector3 d = vertices[entry.vertex.index()] - a;
-      entry.in_plane = {dot(d, x_axis), dot(d, y_axis)};
-      placed_ = placed_ && std::isfinite(entry.in_plane.x) && std::isfinite(entry.in_plane.y);
-    }
-  }
-
-  [[nodiscard]] bool contains(PointId p) const {
-    const auto found = find(p);
-    return found != entries_.end() && found->point == p;
-  }
-  [[nodiscard]] PlanarPointId index(PointId p) const {
-    return PlanarPointId(static_cast<std::size_t>(find(p) - entries_.begin()));
-  }
-  [[nodiscard]] const Entry& operator[](PlanarPointId p) const { return entries_[p.index()]; }
-
-  [[nodiscard]] std::size_t size() const override { return entries_.size(); }
-  [[nodiscard]] Sign orient(PlanarPointId a, PlanarPointId b, PlanarPointId c) const override {
-    return image_.orientation((*this)[a].point, (*this)[b].point, (*this)[c].point);
-  }
-  // A back-facing surface is clockwise in the image and, seen from the front, counter-clockwise in its plane.
-  [[nodiscard]] bool flip_improves(PlanarPointId a, PlanarPointId b, PlanarPointId c, PlanarPointId d) const override {
-    if (!placed_) return false;
-    const Sign inside = in_circle((*this)[a].in_plane, (*this)[b].in_plane, (*this)[c].in_plane, (*this)[d].in_plane);
-    return inside * mirror_ > 0;
-  }
-  void mirror() { mirror_ = -1; }
-
- private:
-  [[nodiscard]] std::vector<Entry>::const_iterator find(PointId p) const {
-    return std::lower_bound(entries_.begin(), entries_.end(), p,
-                            [this](const Entry& e, PointId q) { return image_.sweeps_before(e.point, q); });
-  }
-
-  const ImagePoints& image_;
-  std::vector<Entry> entries_;
-  bool placed_ = true;
-  Sign mirror_ = 1;
-};
 
 // A directed line between two points, and what lies to its left: the surface, or a visible part of it.
 struct Line {
@@ -96,14 +27,13 @@ class VisiblePieces {
         segments_(segments),
         surface_(surface),
         edge_points_(edge_points),
-        points_(image) {}
+        points_(image, surface.back_facing) {}
 
   std::vector<Piece> run(const std::vector<Point3>& vertices, InnerVertices& inner) {
     collect_border();
     collect_points(inner);
     const auto [a, b, c] = plane_corners(mesh_, surface_.surface);
     points_.place_in_plane(mesh_.position(a), mesh_.position(b), mesh_.position(c), vertices);
-    if (surface_.back_facing) points_.mirror();
     add_border_lines();
     for (const SegmentId s : surface_.visible) add_ring_line(segments_.segments[s.index()]);
     std::sort(lines_.begin(), lines_.end());

@@ -1,0 +1,29 @@
+#include "reconstruct/surface_vertices.h"
+
+#include "geometry/errors.h"
+#include "reconstruct/lift.h"
+
+namespace sightline {
+
+void SurfaceVertices::begin(FacetId surface) {
+  surface_ = surface;
+  known_.clear();
+}
+
+VertexId SurfaceVertices::at(PointId p, std::optional<Point3> position) {
+  const auto [place, is_new] = known_.try_emplace(p, VertexId(vertices_.size()));
+  if (is_new) vertices_.push_back(position ? *position : lift(p));
+  return place->second;
+}
+
+Point3 SurfaceVertices::lift(PointId p) const {
+  const FaceId face = mesh_.facet_face[surface_.index()];
+  const bool whole_face = mesh_.face_planar[face.index()] != 0;
+  const std::size_t end = whole_face ? mesh_.end_facet(face) : surface_.index() + 1;
+  for (std::size_t f = surface_.index(); f < end; ++f) {
+    if (const auto lifted = lift_on_facet(scene_, points_, FacetId(f), p)) return *lifted;
+  }
+  throw InternalError("point " + std::to_string(p.value) + " is not on face " + std::to_string(face.value));
+}
+
+}  // namespace sightline

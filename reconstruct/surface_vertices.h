@@ -1,0 +1,38 @@
+// The new vertices inside one surface after another: in its facets' interior, or where the view volume's border cuts
+// them.
+//
+// In:  points of the image on the surface. Out: vertices of the labelled surface, one per point, lifted where the caller
+// does not know the position.
+// Errors: InternalError for a point that is on none of the surface's facets.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "reconstruct/facet_border.h"
+
+namespace sightline {
+
+class SurfaceVertices : public InnerVertices {
+ public:
+  // New vertices are appended to `vertices`.
+  SurfaceVertices(const Mesh& mesh, const ProjectedScene& scene, const ImagePoints& points,
+                  std::vector<Point3>& vertices)
+      : mesh_(mesh), scene_(scene), points_(points), vertices_(vertices) {}
+
+  void begin(FacetId surface);
+  VertexId at(PointId p, std::optional<Point3> position) override;
+
+ private:
+  [[nodiscard]] Point3 lift(PointId p) const;
+
+  const Mesh& mesh_;
+  const ProjectedScene& scene_;
+  const ImagePoints& points_;
+  std::vector<Point3>& vertices_;
+  FacetId surface_;
+  std::map<PointId, VertexId> known_;
+};
+
+}  // namespace sightline
