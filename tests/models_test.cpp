@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "geometry/culling.h"
 #include "geometry/interpenetration.h"
 #include "geometry/obj_reader.h"
 #include "tests/oracle/facet_crossing.h"
@@ -175,6 +176,23 @@ TEST_CASE("models: two runs, order and handedness change nothing") {
     const Mesh mirror = mirrored(mesh);
     CHECK(some(differences(before, outcome(mirror, analyze(mirror, mirrored(shot.camera), shot.sides)))) == "");
   }
+}
+
+TEST_CASE("models: where back-facing faces may be culled, culling changes nothing") {
+  int culled = 0;
+  for (const fs::path& file : models()) {
+    const Mesh mesh = read_obj(file).mesh;
+    const MeshContacts contacts = find_contacts(mesh);
+    for (const Shot& shot : shots(mesh)) {
+      if (decide_sides(mesh, contacts, shot.camera, SidesPolicy::automatic).sides == Sides::both) continue;
+      ++culled;
+      INFO(file.filename().string(), " ", shot.camera.name);
+      const View front = analyze(mesh, shot.camera, Sides::front);
+      const View both = analyze(mesh, shot.camera, Sides::both);
+      CHECK(visible_areas(mesh, front) == visible_areas(mesh, both));
+    }
+  }
+  CHECK((culled > 0 || models().empty()));
 }
 
 }  // namespace sightline::oracle
