@@ -16,13 +16,17 @@ void sort_distinct(std::vector<Value>& values) {
   values.erase(std::unique(values.begin(), values.end()), values.end());
 }
 
+std::string counted(std::size_t count, const char* noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
 std::string interpenetration_warning(const std::vector<std::array<FaceId, 2>>& pairs) {
   std::string list;
   for (std::size_t i = 0; i < std::min(pairs.size(), listed_pairs); ++i) {
     list += fmt::format("{}{}-{}", i == 0 ? "" : ", ", pairs[i][0].value, pairs[i][1].value);
   }
-  return fmt::format("{} pairs of faces interpenetrate; their common line is not part of the sweep yet: {}{}",
-                     pairs.size(), list, pairs.size() > listed_pairs ? ", ..." : "");
+  return fmt::format("{} of faces interpenetrate; their common line is not part of the sweep yet: {}{}",
+                     counted(pairs.size(), "pair"), list, pairs.size() > listed_pairs ? ", ..." : "");
 }
 
 }  // namespace
@@ -52,8 +56,8 @@ std::vector<std::string> report_warnings(const MeshInput& input, const View& vie
   if (!pairs.empty()) warnings.push_back(interpenetration_warning(pairs));
   const auto slivers = faces_below_resolution(view.polygons);
   if (!slivers.empty()) {
-    warnings.push_back(
-        fmt::format("{} faces have visible polygons below resolution, which do not count as visible", slivers.size()));
+    warnings.push_back(fmt::format("visible polygons below resolution, which do not count as visible, on {}",
+                                   counted(slivers.size(), "face")));
   }
   return warnings;
 }

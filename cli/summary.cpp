@@ -44,7 +44,8 @@ std::string camera_line(const Report& report) {
 std::string warnings_line(const std::vector<Report>& reports) {
   std::size_t count = 0;
   for (const Report& report : reports) count += report["warnings"].size();
-  return count == 0 ? "" : fmt::format("\n{} warnings: see \"warnings\" in report.json\n", count);
+  return count == 0 ? ""
+                    : fmt::format("\n{} warning{}: see \"warnings\" in report.json\n", count, count == 1 ? "" : "s");
 }
 
 }  // namespace
