@@ -48,8 +48,8 @@ char* put(char* at, const LabelledTriangle& triangle) {
   return put(at, static_cast<std::uint8_t>(triangle.seen ? 1 : 0));
 }
 
-constexpr std::size_t vertex_bytes = 3 * 8;
-constexpr std::size_t triangle_bytes = 1 + 3 * 4 + 4 + 1 + 1;
+constexpr std::size_t vertex_bytes = std::size_t{3} * 8;
+constexpr std::size_t triangle_bytes = 1 + std::size_t{3} * 4 + 4 + 1 + 1;
 
 }  // namespace
 

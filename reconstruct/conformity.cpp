@@ -168,7 +168,7 @@ class Conformity {
     double along = 0;
     double off = 0;
   };
-  [[nodiscard]] Detour detour(const Point3& a, const Point3& b, const Point3& p) const {
+  [[nodiscard]] static Detour detour(const Point3& a, const Point3& b, const Point3& p) {
     const double length = norm(b - a);
     const double along = std::clamp(dot((1 / length) * (p - a), (1 / length) * (b - a)), 0.0, 1.0);
     return {along, norm(p - (a + along * (b - a)))};

@@ -26,14 +26,14 @@ Point3 between(const ClippedCorner& a, const ClippedCorner& b, double s) {
 }
 
 // Barycentric in the image, divided by W, is barycentric on the facet up to a factor.
-Point3 in_triangle(const std::array<const ClippedCorner*, 3>& corners, const std::array<Wide512, 3>& areas) {
-  const double weight0 = static_cast<double>(areas[0]) / corners[0]->w;
-  const double weight1 = static_cast<double>(areas[1]) / corners[1]->w;
-  const double weight2 = static_cast<double>(areas[2]) / corners[2]->w;
+Point3 in_triangle(const ClippedCorner& a, const ClippedCorner& b, const ClippedCorner& c,
+                   const std::array<Wide512, 3>& areas) {
+  const double weight0 = static_cast<double>(areas[0]) / a.w;
+  const double weight1 = static_cast<double>(areas[1]) / b.w;
+  const double weight2 = static_cast<double>(areas[2]) / c.w;
   const double sum = (weight0 + weight1) + weight2;
-  const Point3& origin = corners[0]->position;
-  return origin +
-         ((weight1 / sum) * (corners[1]->position - origin) + (weight2 / sum) * (corners[2]->position - origin));
+  const Point3& origin = a.position;
+  return origin + ((weight1 / sum) * (b.position - origin) + (weight2 / sum) * (c.position - origin));
 }
 
 }  // namespace
@@ -67,7 +67,7 @@ std::optional<Point3> lift_on_facet(const ProjectedScene& scene, const ImagePoin
                                        Wide512(turn * scaled_area(image(i + 1), image(0), exact)),
                                        Wide512(turn * scaled_area(image(0), image(i), exact))};
     if (areas[0] < 0 || areas[1] < 0 || areas[2] < 0) continue;
-    return in_triangle({&polygon[0], &polygon[i], &polygon[i + 1]}, areas);
+    return in_triangle(polygon[0], polygon[i], polygon[i + 1], areas);
   }
   return std::nullopt;
 }
