@@ -1,8 +1,9 @@
 // A hierarchy of axis-aligned boxes, to find the pairs that overlap.
 //
-// In:  boxes of finite coordinates, low <= high in each. Out: a binary tree over them (build_hierarchy), and every pair
-//      of them that overlaps, once (for_each_overlapping_pair).
-// Boxes are closed: boxes that share one point overlap. Comparisons of doubles are exact, so no overlap is missed.
+// In:  boxes of finite coordinates, low <= high in each.
+// Out: a binary tree over them (build_hierarchy), and every pair of them that overlaps, once
+//      (for_each_overlapping_pair). Boxes are closed: boxes that share one point overlap. Comparisons of doubles are
+//      exact, so no overlap is missed.
 // Holds: nodes are in preorder (the left child follows its parent); a node's box is the hull of its items' boxes.
 // Complexity: O(n log n) time and O(n) space to build; the pairs O(n log n + pairs) for surfaces.
 #pragma once

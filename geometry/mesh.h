@@ -40,10 +40,10 @@ struct PolygonList {
 // Why a face is skipped, or what was mended. A reason that is not listed here does not exist.
 enum class Defect : std::uint8_t {
   too_few_corners,  // fewer than three distinct corners: skipped
-  zero_area,        // all corners on one line, exactly: skipped
+  zero_area,        // all corners on one line, exactly, or nothing but spikes: skipped
   self_crossing,    // its boundary crosses or overlaps itself in the same direction: skipped
   repeated_face,    // the same corners (by position) as an earlier face, in either direction: skipped
-  repeated_corner,  // consecutive equal corners, or a spike (a, b, a): removed, the rest is kept
+  repeated_corner,  // consecutive equal corners, or a spike that turns straight back: removed, the rest is kept
 };
 [[nodiscard]] const char* to_string(Defect defect);
 [[nodiscard]] bool is_skipped(Defect defect);
@@ -63,8 +63,8 @@ struct Mesh {
 
   // Topology, with equal positions welded.
   std::vector<VertexId> weld;  // per vertex: the first vertex with this position
-  std::vector<std::array<VertexId, 2>>
-      edges;                            // per mesh edge: its ends (welded), lexicographically smaller position first
+  // Per mesh edge: its ends (welded), the lexicographically smaller position first.
+  std::vector<std::array<VertexId, 2>> edges;
   std::vector<MeshEdgeId> facet_edges;  // parallel to facets.corners: the edge from this corner to the next
 
   std::vector<FaceDefect> defects;

@@ -1,6 +1,7 @@
 // The steps of build_mesh that look at positions and neighbours: welding, repeated faces, mesh edges.
 //
-// All are sorts, so that the result depends on the input's order only. Complexity: O(n log n).
+// All are sorts, so that the result depends on the input's order only.
+// Complexity: O(n log n).
 #pragma once
 
 #include <array>

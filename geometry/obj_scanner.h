@@ -1,9 +1,10 @@
 // The lexical layer of OBJ: statements, tokens, numbers.
 //
-// In:  the text of a file, in one piece. Out: views into it; nothing is copied.
-// A line ends with LF, CR LF or CR. A statement is a line; a backslash at the end of a line continues it, and separates
-// tokens like a blank. A token that starts with '#' starts a comment, which ends with its line (a backslash does not
-// continue a comment). Blanks are space, tab, vertical tab and form feed. All other bytes, NUL too, are part of tokens.
+// In:  the text of a file, in one piece.
+// Out: views into it; nothing is copied. A line ends with LF, CR LF or CR. A statement is a line; a backslash at the
+//      end of a line continues it, and separates tokens like a blank. A token that starts with '#' starts a comment,
+//      which ends with its line (a backslash does not continue a comment). Blanks are space, tab, vertical tab and
+//      form feed. All other bytes, NUL too, are part of tokens.
 #pragma once
 
 #include <cstddef>

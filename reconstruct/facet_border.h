@@ -1,8 +1,8 @@
 // The border of a facet as the labelled surface has it: its corners and all the points that split its edges.
 //
-// In:  mesh, scene, the points on mesh edges. Out: borders in the facet's orientation, of the whole facet or of its
-// part in view. Holds: no vertex twice in a row; two lines have the same side exactly where they are on one straight
-// line.
+// In:  mesh, scene, the points on mesh edges.
+// Out: borders in the facet's orientation, of the whole facet or of its part in view.
+// Holds: no vertex twice in a row; two lines have the same side exactly where they are on one straight line.
 #pragma once
 
 #include <optional>

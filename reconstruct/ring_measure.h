@@ -2,12 +2,11 @@
 // exactly.
 //
 // In:  the points of a sweep's result, its segments, and rings as lists of segments that chain.
-// Out: measures in grid units.
-// Bound, with u = 2^-53: a point's coordinates are off by at most crossing_error, so a difference of two, below 2^42
-// and
-// rounded itself, is off by at most e = 2 * crossing_error + 2^-11. A term ux * vy - uy * vx of the area is then off by
-// at most e * (|ux| + |uy| + |vx| + |vy|) + 2 * e^2 + 2 * u * (|ux * vy| + |uy * vx|), and a sum of n terms by n * u
-// times the sum of their absolute values more. A length is off by at most 2 * e and 2 * u of itself.
+// Out: measures in grid units. Bound, with u = 2^-53: a point's coordinates are off by at most crossing_error, so a
+//      difference of two, below 2^42 and rounded itself, is off by at most e = 2 * crossing_error + 2^-11. A term ux
+//      * vy - uy * vx of the area is then off by at most e * (|ux| + |uy| + |vx| + |vy|) + 2 * e^2 + 2 * u * (|ux *
+//      vy| + |uy * vx|), and a sum of n terms by n * u times the sum of their absolute values more. A length is off
+//      by at most 2 * e and 2 * u of itself.
 // Complexity: O(n); the exact area O(n log n) multiplications of integers that grow to O(n) digits.
 #pragma once
 

@@ -1,8 +1,8 @@
 // The new vertices inside one surface after another: in its facets' interior, or where the view volume's border cuts
 // them.
 //
-// In:  points of the image on the surface. Out: vertices of the labelled surface, one per point, lifted where the caller
-// does not know the position.
+// In:  points of the image on the surface.
+// Out: vertices of the labelled surface, one per point, lifted where the caller does not know the position.
 // Errors: InternalError for a point that is on none of the surface's facets.
 #pragma once
 

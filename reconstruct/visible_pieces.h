@@ -1,13 +1,14 @@
 // The part of a surface in view, in triangles that are each wholly visible or wholly hidden.
 //
-// In:  the borders of the surface's facets in view, and its visible polygons. Out: triangles in the surface's
-// orientation. A constrained Delaunay triangulation (in the surface's own plane) of the border and the visible rings,
-// whose structure is decided exactly in the image. A region between constraints is visible where a ring has it on its
-// left, outside where only the border has it on its right, else hidden; so no point enters that neither the border nor
-// a visible ring needs. Where several vertices of the border fall on one image point, one stands for all in the
-// triangulation, and triangles without area in the image join it with the others. Errors: InternalError where the
-// rounded border of a face with several facets crosses itself. Source: Koucky 2014, 3.8 (both triangulations in one:
-// only points that visible parts need).
+// In:  the borders of the surface's facets in view, and its visible polygons.
+// Out: triangles in the surface's orientation. A constrained Delaunay triangulation (in the surface's own plane) of
+//      the border and the visible rings, whose structure is decided exactly in the image. A region between
+//      constraints is visible where a ring has it on its left, outside where only the border has it on its right,
+//      else hidden; so no point enters that neither the border nor a visible ring needs. Where several vertices of
+//      the border fall on one image point, one stands for all in the triangulation, and triangles without area in the
+//      image join it with the others.
+// Errors: InternalError where the rounded border of a face with several facets crosses itself.
+// Source: Koucky 2014, 3.8 (both triangulations in one: only points that visible parts need).
 #pragma once
 
 #include <array>

@@ -1,16 +1,17 @@
 // Visible polygons: the visible segments of each face, linked to rings.
 //
-// In:  the sweep's visible segments. Out: polygons with one outer ring (counter-clockwise in the image, y up) and its
-// holes (clockwise). Holds (validate(polygons, ...) checks it):
+// In:  the sweep's visible segments.
+// Out: polygons with one outer ring (counter-clockwise in the image, y up) and its holes (clockwise). Holds
+//      (validate(polygons, ...) checks it):
 //   - a ring visits no point twice; its area is not zero and its sign is that of its role;
 //   - every segment is in exactly one ring;
-//   - the polygons of one face do not overlap; those of a face whose corners are not in one plane stay within one facet
-//   each.
-// A polygon with 2 * area / perimeter below one grid spacing is below resolution: it is listed, but its face is not
-// called visible for it (DESIGN.md section 3).
+//   - the polygons of one face do not overlap; those of a face whose corners are not in one plane stay within one
+//     facet each. A polygon with 2 * area / perimeter below one grid spacing is below resolution: it is listed, but
+//     its face is not called visible for it (DESIGN.md section 3).
 // Complexity: O(m log m) for m segments.
-// Source: Fang 1993, section 5.3.1, "Polygon Reconstruction". Departures: where several segments leave a point the
-// sharpest turn that keeps the face on the left is taken, and a ring that comes back to a point is cut there.
+// Source: Fang 1993, section 5.3.1, "Polygon Reconstruction".
+// Departures: where several segments leave a point the sharpest turn that keeps the face on the left is taken, and a
+// ring that comes back to a point is cut there.
 #pragma once
 
 #include <boost/multiprecision/cpp_int.hpp>

@@ -1,10 +1,11 @@
 // The active edge list (AEL): the bundles of edges that cross the sweep line, left to right (Fang 5.3.1).
 //
-// A bundle is all edges that lie on each other at the sweep line. It is one entry of the list; it owns the node list of
-// the span to its right, and the visible segments that are open along it. Holds: the list is in the order in which the
-// sweep line crosses the bundles; an edge is in at most one bundle. Complexity: next and previous O(1); insert, erase,
-// find and nearest_visible O(log n) expected. A treap (Aragon and Seidel 1989) with parent links over a linked list;
-// its priorities are a hash of the entry's number, so that every run builds the same tree.
+// A bundle is all edges that lie on each other at the sweep line. It is one entry of the list; it owns the node list
+// of the span to its right, and the visible segments that are open along it.
+// Holds: the list is in the order in which the sweep line crosses the bundles; an edge is in at most one bundle.
+// Complexity: next and previous O(1); insert, erase, find and nearest_visible O(log n) expected. A treap (Aragon and
+// Seidel 1989) with parent links over a linked list; its priorities are a hash of the entry's number, so that every
+// run builds the same tree.
 #pragma once
 
 #include <boost/container/small_vector.hpp>

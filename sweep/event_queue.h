@@ -1,8 +1,9 @@
 // The event queue: sweep points from top to bottom, then left to right.
 //
-// Vertices are sorted once, as the scene's points; crossings wait in a heap. All that coincides, exactly, is one sweep
-// point. Complexity: O(log k) per crossing, O(1) per vertex. Source: Fang 1993, appendix B (the priority queue and
-// DeleteSameSPs).
+// Vertices are sorted once, as the scene's points; crossings wait in a heap. All that coincides, exactly, is one
+// sweep point.
+// Complexity: O(log k) per crossing, O(1) per vertex.
+// Source: Fang 1993, appendix B (the priority queue and DeleteSameSPs).
 #pragma once
 
 #include <boost/container/small_vector.hpp>

@@ -1,12 +1,13 @@
 // The sweep: projected scene in, visible segments out.
 //
-// In:  a mesh, its projected scene, and optionally an observer. Out: VisibleSegments (see there for what holds).
-// Where facets interpenetrate (or overlap in the rounded image only) their order may be no order: then the topmost
-// facet of a span is found by a tournament that depends on nothing but the span's facets, so that every ring closes all
-// the same (NodeOrder in node_list.h). The observer then sees the sweep begin anew. Complexity: O((n + k) (log n + d))
-// for n edges, k crossings and d facets over one point of the image. Errors: InternalError where an invariant of the
-// sweep does not hold, with the sweep point. Source: Fang 1993, section 5.3.1 and appendix B; Sechrest and Greenberg
-// 1982; Nurmi 1985.
+// In:  a mesh, its projected scene, and optionally an observer.
+// Out: VisibleSegments (see there for what holds). Where facets interpenetrate (or overlap in the rounded image only)
+//      their order may be no order: then the topmost facet of a span is found by a tournament that depends on nothing
+//      but the span's facets, so that every ring closes all the same (NodeOrder in node_list.h). The observer then
+//      sees the sweep begin anew.
+// Complexity: O((n + k) (log n + d)) for n edges, k crossings and d facets over one point of the image.
+// Errors: InternalError where an invariant of the sweep does not hold, with the sweep point.
+// Source: Fang 1993, section 5.3.1 and appendix B; Sechrest and Greenberg 1982; Nurmi 1985.
 #pragma once
 
 #include "geometry/mesh.h"

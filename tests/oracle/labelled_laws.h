@@ -9,9 +9,8 @@ namespace sightline::oracle {
 [[nodiscard]] Complaints input_vertices_kept(const Mesh& mesh, const LabelledMesh& labelled);
 
 // Per face: its triangles together have the area of its facets, relative 1e-12, or within what rounding their corners
-// to doubles can
-// change: each corner moves by at most half a unit in the last place of its coordinates, and the area by that times the
-// boundary's length.
+// to doubles can change: each corner moves by at most half a unit in the last place of its coordinates, and the area
+// by that times the boundary's length.
 [[nodiscard]] Complaints areas_kept(const Mesh& mesh, const LabelledMesh& labelled);
 
 // Whether every directed edge, by position, is matched by as many in the opposite direction.
