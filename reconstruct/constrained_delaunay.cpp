@@ -11,8 +11,8 @@ namespace sightline {
 namespace {
 
 [[noreturn]] void reject(const char* cause, PlanarPointId p, PlanarPointId q) {
-  throw InternalError("constrained_delaunay: constraint " + std::to_string(p.index()) + "-" +
-                      std::to_string(q.index()) + " " + cause);
+  throw ConstraintConflict("constrained_delaunay: constraint " + std::to_string(p.index()) + "-" +
+                           std::to_string(q.index()) + " " + cause);
 }
 
 // What a constraint crosses: the triangles, and their outer half-edges to the right of the constraint from its first to

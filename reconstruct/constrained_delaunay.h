@@ -22,7 +22,7 @@
 //      within a step, so that many are never reached; only otherwise could an edge be left that a flip improves.
 // Complexity: O(n) for 1, O(edges crossed) for a constraint and O(degree of its end point) to find it; flips are about
 // O(n) in practice, O(n^1.5) on a square grid of points, O(n^2) at worst.
-// Errors: InternalError where a constraint crosses another one or runs through a point.
+// Errors: ConstraintConflict where a constraint crosses another one or runs through a point.
 #pragma once
 
 #include <array>
@@ -30,10 +30,16 @@
 #include <string>
 #include <vector>
 
+#include "geometry/errors.h"
 #include "geometry/exact_integer.h"
 #include "reconstruct/half_edge_triangulation.h"
 
 namespace sightline {
+
+// The constraints are no planar straight-line graph.
+class ConstraintConflict : public InternalError {
+  using InternalError::InternalError;
+};
 
 class PlanarPoints {
  public:

@@ -1,8 +1,10 @@
 #include "reconstruct/labelled_mesh.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "geometry/facet_plane.h"
+#include "reconstruct/constrained_delaunay.h"
 #include "reconstruct/edge_points.h"
 #include "reconstruct/facet_border.h"
 #include "reconstruct/outside_pieces.h"
@@ -96,11 +98,29 @@ class Labeller {
     inner_.begin(surface);
     const std::vector<SegmentId> visible = visible_segments_of(surface);
     const bool all_proper = end - begin > 1 || is_proper(scene_, surface);
-    if (!visible.empty() && all_proper && !is_whole(visible, begin, end)) {
-      add_partly_visible(begin, end, visible);
-      return;
+    bool seen = !visible.empty() && all_proper;
+    if (seen && !is_whole(visible, begin, end)) {
+      if (add_partly_visible(begin, end, visible)) return;
+      seen = is_mostly_visible(begin, end);
     }
-    for (std::size_t f = begin; f < end; ++f) add_uniform(FacetId(f), !visible.empty() && all_proper);
+    for (std::size_t f = begin; f < end; ++f) add_uniform(FacetId(f), seen);
+  }
+
+  // Of the surface's area in view. Precondition: visible_segments_of was called for it last.
+  [[nodiscard]] bool is_mostly_visible(std::size_t begin, std::size_t end) const {
+    double visible = 0;
+    for (std::size_t p = next_polygon_; p > 0 && polygons_.polygons[p - 1].facet.index() == begin; --p) {
+      visible += polygons_.polygons[p - 1].area;
+    }
+    double in_view = 0;
+    for (std::size_t f = begin; f < end; ++f) {
+      const auto polygon = scene_.polygon(FacetId(f));
+      for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
+        in_view += std::fabs(static_cast<double>(twice_area(
+            scene_.point(polygon[0].point), scene_.point(polygon[i].point), scene_.point(polygon[i + 1].point))));
+      }
+    }
+    return visible > std::ldexp(in_view / 4, -2 * scene_.grid_bits);
   }
 
   // Of the polygons above resolution. Polygons are sorted by their surface.
@@ -150,7 +170,9 @@ class Labeller {
     add_outside(f, {});
   }
 
-  void add_partly_visible(std::size_t begin, std::size_t end, const std::vector<SegmentId>& visible) {
+  // False, and nothing added, where the rounded border of a face with several facets crosses itself: parts of the face are
+  // narrower than the grid, and its image is no polygon. Such a face gets one label, that of most of its area.
+  bool add_partly_visible(std::size_t begin, std::size_t end, const std::vector<SegmentId>& visible) {
     const bool front = scene_.facing[begin] == Facing::front;
     SurfaceInView surface{FacetId(begin), !front, {}, visible};
     for (std::size_t f = begin; f < end; ++f) {
@@ -158,8 +180,14 @@ class Labeller {
       surface.borders.push_back(
           view_border(mesh_, scene_, points_, edge_points_, FacetId(f), border_splits_of(FacetId(f)), inner_));
     }
-    for (const Piece& piece :
-         visible_pieces(mesh_, scene_, points_, segments_, surface, edge_points_, result_.vertices, inner_)) {
+    std::vector<Piece> pieces;
+    try {
+      pieces = visible_pieces(mesh_, scene_, points_, segments_, surface, edge_points_, result_.vertices, inner_);
+    } catch (const ConstraintConflict&) {
+      if (end - begin == 1) throw;
+      return false;
+    }
+    for (const Piece& piece : pieces) {
       const Label label = !front ? Label::back_facing : (piece.visible ? Label::visible : Label::hidden);
       add_triangle(FacetId(begin), piece.corners, label, piece.visible);
     }
@@ -170,6 +198,7 @@ class Labeller {
         add_outside(FacetId(f), border_splits_of(FacetId(f)));
       }
     }
+    return true;
   }
 
   [[nodiscard]] std::span<const EdgeSplit> border_splits_of(FacetId f) const {

@@ -4,7 +4,7 @@
 // Out: LabelledMesh.
 // Holds (validate(labelled, mesh) checks it):
 //   - the first vertices are the input's, bit for bit and in order;
-//   - the triangles of a face have its orientation, and together its area;
+//   - the triangles of a face have its orientation (but for some that are narrower than the grid), and together its area;
 //   - conforming: what splits an edge splits it for all faces on it, so that a mesh edge with two faces yields pieces
 //     with two triangles each; closed in, closed out;
 //   - skipped faces have no triangle.

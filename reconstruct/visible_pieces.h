@@ -7,7 +7,7 @@
 //      else hidden; so no point enters that neither the border nor a visible ring needs. Where several vertices of
 //      the border fall on one image point, one stands for all in the triangulation, and triangles without area in the
 //      image join it with the others.
-// Errors: InternalError where the rounded border of a face with several facets crosses itself.
+// Errors: ConstraintConflict where the rounded border of a face with several facets crosses itself.
 // Source: Koucky 2014, 3.8 (both triangulations in one: only points that visible parts need).
 #pragma once
 

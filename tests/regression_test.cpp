@@ -2,6 +2,7 @@
 // is no order: the answer may be either face, but the structure must hold.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <random>
 
 #include "tests/oracle/judge.h"
@@ -125,6 +126,42 @@ TEST_CASE("many holes in one face, some touching: each belongs to it, and the ar
   check(scene);
   const View view = analyze(oracle::mesh_of(scene), scene.camera);
   CHECK(view.polygons.polygons.front().ring_count == 50);
+}
+
+TEST_CASE("a notch narrower than the grid turns a concave face's border over: nothing is thrown, the face is seen") {
+  constexpr unsigned seed = 5;
+  INFO("seed ", seed);
+  std::mt19937 random(seed);
+  const auto between = [&random](double a, double b) { return std::uniform_real_distribution<double>(a, b)(random); };
+  for (int i = 0; i < 300; ++i) {
+    CAPTURE(i);
+    const double width = std::ldexp(between(0.1, 3), -40);
+    const double x = between(-0.5, 0.5);
+    const double top = x + between(-0.4, 0.4);
+    PolygonList faces;
+    faces.push_back(
+        std::array{VertexId(0), VertexId(1), VertexId(2), VertexId(3), VertexId(4), VertexId(5), VertexId(6)});
+    faces.push_back(std::array{VertexId(7), VertexId(8), VertexId(9)});
+    const Mesh mesh = build_mesh({{-0.9, -0.9, 0},
+                                  {0.9, -0.9, 0},
+                                  {0.9, 0.9, 0},
+                                  {top + width, 0.9, 0},
+                                  {x, between(-0.5, 0.5), 0},
+                                  {top, 0.9, 0},
+                                  {-0.9, 0.9, 0},
+                                  {-0.7, -0.8, 1},
+                                  {0.6, -0.5, 1},
+                                  {-0.2, 0.7, 1}},
+                                 std::move(faces));
+    REQUIRE(mesh.facet_count() > 2);
+    const ViewPoint view{{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, 1, {}, {}};
+    View result;
+    REQUIRE_NOTHROW(result = analyze(mesh, orthographic_camera("above", view, 2)));
+    CHECK(validate(result.segments, result.scene).empty());
+    CHECK(validate(result.polygons, mesh, result.scene, result.segments).empty());
+    const auto seen = [](const LabelledTriangle& t) { return t.face == FaceId(0) && t.label == Label::visible; };
+    CHECK(std::any_of(result.labelled.triangles.begin(), result.labelled.triangles.end(), seen));
+  }
 }
 
 TEST_CASE("faces that interpenetrate: nothing is thrown, every stage is valid, and the areas add up") {
