@@ -22,18 +22,14 @@ static_assert(orient2d_bound >= (3 + 16 * unit_roundoff) * unit_roundoff * (1 + 
 // in_circle: (10 + 96 u) u times the permanent (Shewchuk 1997); 11 u covers it.
 constexpr double in_circle_bound = 11 * unit_roundoff;
 static_assert(in_circle_bound >= (10 + 96 * unit_roundoff) * unit_roundoff * (1 + 8 * unit_roundoff));
-// Its products of four stay finite below this, and an underflow costs less than underflow_bound as above.
-constexpr double largest_in_circle_difference = 0x1p250;
-
-// linear_form: a difference, a product and two sums round each term at most 4 times: (1 + u)^4 - 1 < 4 u + 7 u^2.
-constexpr double linear_form_bound = 5 * unit_roundoff;
-static_assert(linear_form_bound >= (4 * unit_roundoff + 7 * unit_roundoff * unit_roundoff) * (1 + 8 * unit_roundoff));
-
 // The bounds above suppose that nothing over- or underflows. With all differences below 2^340 no product of three
 // overflows; an underflow in a product of two costs at most 2^-1074, times a difference 2^-734, and there are fewer
 // than 2^4 of them: less than 2^-700 in all.
 constexpr double largest_difference = 0x1p340;
 constexpr double underflow_bound = 0x1p-700;
+// in_circle: with differences below 2^180 a lift is below 2^361 and so is a minor. An underflow in the one costs at most
+// 2^-1074 times the other, less than 2^-713, and there are fewer than 2^4 of them: less than 2^-700 in all.
+constexpr double largest_in_circle_difference = 0x1p180;
 
 bool in_range(const Vector3& v) {
   return std::fabs(v.x) < largest_difference && std::fabs(v.y) < largest_difference &&
@@ -109,16 +105,6 @@ std::optional<Sign> in_circle(const Point2& a, const Point2& b, const Point2& c,
   return decide(det, in_circle_bound * permanent + underflow_bound);
 }
 
-std::optional<Sign> linear_form(const Vector3& row, const Point3& v, const Point3& origin) {
-  const Vector3 d = v - origin;
-  const double x = row.x * d.x;
-  const double y = row.y * d.y;
-  const double z = row.z * d.z;
-  const double bound = linear_form_bound * ((std::fabs(x) + std::fabs(y)) + std::fabs(z)) + underflow_bound;
-  if (!(bound < std::numeric_limits<double>::infinity())) return std::nullopt;
-  return decide((x + y) + z, bound);
-}
-
 }  // namespace predicates::filter
 
 namespace predicates::exact {
@@ -160,15 +146,6 @@ Sign in_circle(const Point2& a, const Point2& b, const Point2& c, const Point2& 
   return exact_sign(values, polynomial, [](int bits) { return 4 * (bits + 1) + 4; });
 }
 
-Sign linear_form(const Vector3& row, const Point3& v, const Point3& origin) {
-  const std::array values{row.x, row.y, row.z, v.x, v.y, v.z, origin.x, origin.y, origin.z};
-  const auto polynomial = [](const auto& p) {
-    using Integer = std::decay_t<decltype(p[0])>;
-    return Integer(p[0] * (p[3] - p[6]) + p[1] * (p[4] - p[7]) + p[2] * (p[5] - p[8]));
-  };
-  return exact_sign(values, polynomial, [](int bits) { return 2 * bits + 3; });
-}
-
 }  // namespace predicates::exact
 
 Sign orient3d(const Point3& a, const Point3& b, const Point3& c, const HomogeneousPoint& d,
@@ -193,11 +170,6 @@ Sign orient2d(const Point2& a, const Point2& b, const Point2& c) {
 Sign in_circle(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
   const auto fast = predicates::filter::in_circle(a, b, c, d);
   return fast ? *fast : predicates::exact::in_circle(a, b, c, d);
-}
-
-Sign linear_form(const Vector3& row, const Point3& v, const Point3& origin) {
-  const auto fast = predicates::filter::linear_form(row, v, origin);
-  return fast ? *fast : predicates::exact::linear_form(row, v, origin);
 }
 
 bool collinear(const Point3& a, const Point3& b, const Point3& c) {

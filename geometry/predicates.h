@@ -14,7 +14,6 @@
 // orient2d(a, b, c): +1 where a, b, c turn counter-clockwise. Same symmetries.
 // in_circle(a, b, c, d), for a, b, c counter-clockwise: +1 where d is strictly inside their circle, 0 on it.
 //   Symmetry: swapping any two arguments flips the sign.
-// linear_form(row, v, origin): the sign of row . (v - origin).
 #pragma once
 
 #include <optional>
@@ -49,14 +48,12 @@ namespace filter {
                                            const HomogeneousPoint& d);
 [[nodiscard]] std::optional<Sign> orient2d(const Point2& a, const Point2& b, const Point2& c);
 [[nodiscard]] std::optional<Sign> in_circle(const Point2& a, const Point2& b, const Point2& c, const Point2& d);
-[[nodiscard]] std::optional<Sign> linear_form(const Vector3& row, const Point3& v, const Point3& origin);
 }  // namespace filter
 
 namespace exact {
 [[nodiscard]] Sign orient3d(const Point3& a, const Point3& b, const Point3& c, const HomogeneousPoint& d);
 [[nodiscard]] Sign orient2d(const Point2& a, const Point2& b, const Point2& c);
 [[nodiscard]] Sign in_circle(const Point2& a, const Point2& b, const Point2& c, const Point2& d);
-[[nodiscard]] Sign linear_form(const Vector3& row, const Point3& v, const Point3& origin);
 }  // namespace exact
 
 }  // namespace predicates
@@ -67,7 +64,6 @@ namespace exact {
                             predicates::Counts* counts = nullptr);
 [[nodiscard]] Sign orient2d(const Point2& a, const Point2& b, const Point2& c);
 [[nodiscard]] Sign in_circle(const Point2& a, const Point2& b, const Point2& c, const Point2& d);
-[[nodiscard]] Sign linear_form(const Vector3& row, const Point3& v, const Point3& origin);
 
 // The point without one coordinate (0: x, 1: y, 2: z), the remaining two in cyclic order, so that a triangle whose
 // normal has a positive component along `axis` stays counter-clockwise.

@@ -92,11 +92,11 @@ std::vector<ViewBorderPoint> view_border(const Mesh& mesh, const ProjectedScene&
     const ClippedCorner& corner = polygon[i];
     const ClippedCorner& next = polygon[i + 1 == polygon.size() ? 0 : i + 1];
     const auto own_side = static_cast<std::uint32_t>(corners.size() + i);
-    ViewBorderPoint point{{corner_vertex(corner, edge_points, inner), own_side}, corner.point, corner.edge_after, i};
+    ViewBorderPoint point{{corner_vertex(corner, edge_points, inner), own_side}, corner.point};
     if (!corner.edge_after.valid()) {
       border.push_back(point);
       for (const PointId p : splits_between(scene, points, facet, i, splits_of_view_border)) {
-        border.push_back({{inner.at(p, std::nullopt), own_side}, p, MeshEdgeId{}, i});
+        border.push_back({{inner.at(p, std::nullopt), own_side}, p});
       }
       continue;
     }
@@ -106,7 +106,7 @@ std::vector<ViewBorderPoint> view_border(const Mesh& mesh, const ProjectedScene&
     border.push_back(point);
     for (const EdgePoint& p : along(mesh, edge_points, corner.edge_after, corners[place])) {
       if (p.vertex == point.border.vertex || p.vertex == corner_vertex(next, edge_points, inner)) continue;
-      border.push_back({{p.vertex, sides[place]}, p.point, corner.edge_after, i});
+      border.push_back({{p.vertex, sides[place]}, p.point});
     }
   }
   drop_repeated(border, [](const ViewBorderPoint& p) { return p.border.vertex; });

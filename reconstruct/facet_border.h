@@ -19,8 +19,6 @@ namespace sightline {
 struct ViewBorderPoint {
   BorderPoint border;
   PointId image;
-  MeshEdgeId edge;         // of the line to the next point; invalid: along the view volume's border
-  std::size_t corner = 0;  // of the clipped polygon: the last one at or before this point
 };
 
 // Gives the vertex of a corner that clipping made inside the facet, and of a point that splits its border with the view
