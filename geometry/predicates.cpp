@@ -27,7 +27,7 @@ static_assert(in_circle_bound >= (10 + 96 * unit_roundoff) * unit_roundoff * (1 
 // than 2^4 of them: less than 2^-700 in all.
 constexpr double largest_difference = 0x1p340;
 constexpr double underflow_bound = 0x1p-700;
-// in_circle: with differences below 2^180 a lift is below 2^361 and so is a minor. An underflow in the one costs at most
+// in_circle: with differences below 2^180 a lift is below 2^361, and so is a minor. An underflow in one costs at most
 // 2^-1074 times the other, less than 2^-713, and there are fewer than 2^4 of them: less than 2^-700 in all.
 constexpr double largest_in_circle_difference = 0x1p180;
 
