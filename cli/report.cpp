@@ -18,9 +18,9 @@ Report as_json(const std::optional<double>& value) { return value ? Report(*valu
 Report scene_part(const Scene& scene, const Mesh& mesh) {
   return {{"file", scene.file},
           {"mesh", scene.mesh_file},
-          {"vertices", mesh.vertices.size()},
+          {"vertices", mesh.input_vertex_count()},
           {"faces", mesh.face_count()},
-          {"facets", mesh.facet_count()}};
+          {"facets", mesh.whole_count()}};
 }
 
 Report camera_part(const Camera& camera) {
@@ -75,7 +75,7 @@ Report counts_part(const MeshInput& input, const View& view, const std::vector<F
           {"below_resolution", below},
           {"holes", polygons.ring_count() - polygons.polygons.size()},
           {"output_triangles", view.labelled.triangles.size()},
-          {"crossing_pairs", interpenetrating_faces(input, view).size()}};
+          {"crossing_pairs", crossing_faces(input.mesh).size()}};
 }
 
 double sum(const std::vector<FaceMeasures>& faces, double FaceMeasures::*area) {
@@ -107,12 +107,17 @@ Report below_resolution_part(const VisiblePolygons& polygons) {
   return {{"count", faces.size()}, {"faces", list}};
 }
 
-// total is the sum of the others; read and contacts are shared by all cameras of a scene.
+// total is the sum of the others; read, contacts and cut are shared by all cameras of a scene.
 Report times_part(const MeshInput& input, const StageSeconds& seconds, double write_seconds) {
-  Report times = {{"read", input.read_seconds}, {"contacts", input.contacts_seconds},
-                  {"sides", seconds.sides},     {"project", seconds.project},
-                  {"sweep", seconds.sweep},     {"reconstruct", seconds.reconstruct},
-                  {"label", seconds.label},     {"write", write_seconds}};
+  Report times = {{"read", input.read_seconds},
+                  {"contacts", input.contacts_seconds},
+                  {"cut", input.cut_seconds},
+                  {"sides", seconds.sides},
+                  {"project", seconds.project},
+                  {"sweep", seconds.sweep},
+                  {"reconstruct", seconds.reconstruct},
+                  {"label", seconds.label},
+                  {"write", write_seconds}};
   double total = 0;
   for (const auto& time : times) total += time.get<double>();
   times["total"] = total;

@@ -1,4 +1,4 @@
-// The report's warnings, one line each: what the reader skipped, faces that interpenetrate, polygons below resolution.
+// The report's warnings, one line each: what the reader skipped, polygons below resolution; and lists of faces.
 #pragma once
 
 #include <array>
@@ -9,9 +9,8 @@
 
 namespace sightline {
 
-// Pairs of faces that interpenetrate, smaller id first; sorted, distinct: those that cross, and those that the sweep
-// saw before each other in both orders.
-[[nodiscard]] std::vector<std::array<FaceId, 2>> interpenetrating_faces(const MeshInput& input, const View& view);
+// Pairs of faces that pass through each other, smaller id first; sorted, distinct. The mesh is cut along common lines.
+[[nodiscard]] std::vector<std::array<FaceId, 2>> crossing_faces(const Mesh& mesh);
 
 // Faces with a visible polygon below resolution; sorted, distinct.
 [[nodiscard]] std::vector<FaceId> faces_below_resolution(const VisiblePolygons& polygons);

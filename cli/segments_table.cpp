@@ -25,12 +25,18 @@ MeshEdgeId edge_under(const Mesh& mesh, const ProjectedScene& scene, const Visib
   return edge_of_face(mesh, scene, segment.edge, face_of(mesh, segment.other));
 }
 
+// By its ends. A piece of an edge of the input is named as that edge is.
 void write_edge(const Mesh& mesh, MeshEdgeId edge, TextBuffer& out) {
   if (!edge.valid()) {
     out << "border";
     return;
   }
-  const auto [low, high] = std::minmax(mesh.edges[edge.index()][0], mesh.edges[edge.index()][1]);
+  const auto& ends = mesh.is_cut() ? mesh.cuts.input_edge[edge.index()] : mesh.edges[edge.index()];
+  if (!ends[0].valid()) {
+    out << "common";
+    return;
+  }
+  const auto [low, high] = std::minmax(ends[0], ends[1]);
   out << low.value << '-' << high.value;
 }
 

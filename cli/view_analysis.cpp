@@ -1,6 +1,7 @@
 #include "cli/view_analysis.h"
 
 #include "cli/resources.h"
+#include "geometry/common_lines.h"
 #include "geometry/obj_reader.h"
 
 namespace sightline {
@@ -30,8 +31,9 @@ MeshInput read_mesh(const std::string& file, Progress& progress) {
   ObjFile obj = timed(input.read_seconds, [&] { return read_obj(std::filesystem::path(file)); });
   input.mesh = std::move(obj.mesh);
   input.warnings = std::move(obj.warnings);
-  progress.stage("look for faces that interpenetrate");
+  progress.stage("look for faces that pass through each other");
   input.contacts = timed(input.contacts_seconds, [&] { return find_contacts(input.mesh); });
+  input.mesh = timed(input.cut_seconds, [&] { return cut_along_common_lines(std::move(input.mesh), input.contacts); });
   return input;
 }
 

@@ -12,11 +12,12 @@ namespace sightline {
 
 // What all cameras of a scene share.
 struct MeshInput {
-  Mesh mesh;
+  Mesh mesh;                          // cut along the common lines of its facets
   std::vector<std::string> warnings;  // of the reader
-  MeshContacts contacts;
+  MeshContacts contacts;              // before it was cut
   double read_seconds = 0;
   double contacts_seconds = 0;
+  double cut_seconds = 0;
 };
 
 // Errors: InputError (see read_obj).

@@ -24,11 +24,13 @@ class CommonScale {
   int lowest_ = 0;
 };
 
-// Every coordinate below is of degree two in the scaled numbers, so that they share the factor `one`.
-ExactCorner homogeneous(const Point3& v, const Camera& camera, const CommonScale& scale) {
-  const BigInteger dx = scale(v.x) - scale(camera.origin.x);
-  const BigInteger dy = scale(v.y) - scale(camera.origin.y);
-  const BigInteger dz = scale(v.z) - scale(camera.origin.z);
+// The point (x, y, z) / w, in scaled numbers. Every coordinate below is of degree two in these and of degree one in
+// (x, y, z, w), so that they share the factor `one`.
+ExactCorner homogeneous(const BigInteger& x, const BigInteger& y, const BigInteger& z, const BigInteger& w,
+                        const Camera& camera, const CommonScale& scale) {
+  const BigInteger dx = x - scale(camera.origin.x) * w;
+  const BigInteger dy = y - scale(camera.origin.y) * w;
+  const BigInteger dz = z - scale(camera.origin.z) * w;
   const auto form = [&](const Vector3& row) {
     return BigInteger(scale(row.x) * dx + scale(row.y) * dy + scale(row.z) * dz);
   };
@@ -37,12 +39,24 @@ ExactCorner homogeneous(const Point3& v, const Camera& camera, const CommonScale
   corner.x = form(camera.right);
   corner.y = form(camera.up);
   corner.depth = form(camera.forward);
-  corner.one = unit * unit;
+  corner.one = unit * unit * w;
   corner.w = camera.projection == Projection::perspective ? corner.depth : corner.one;
-  corner.px = scale(v.x) * unit;
-  corner.py = scale(v.y) * unit;
-  corner.pz = scale(v.z) * unit;
+  corner.px = x * unit;
+  corner.py = y * unit;
+  corner.pz = z * unit;
   return corner;
+}
+
+ExactCorner homogeneous(const Point3& v, const Camera& camera, const CommonScale& scale) {
+  return homogeneous(scale(v.x), scale(v.y), scale(v.z), 1, camera, scale);
+}
+
+// A vertex of the input, or one that cutting made.
+ExactCorner homogeneous(const Mesh& mesh, VertexId v, const Camera& camera, const CommonScale& scale) {
+  if (v.index() < mesh.input_vertex_count()) return homogeneous(mesh.position(v), camera, scale);
+  const ExactPosition p = exact_position(mesh, v);
+  const BigInteger unit = scale(1.0);
+  return homogeneous(p.x * unit, p.y * unit, p.z * unit, p.w, camera, scale);
 }
 
 // Where the segment from `inside` (WEC > 0) to `outside` (WEC < 0) meets the bound: Fang's equation 5.7 without the
@@ -110,6 +124,10 @@ ExactCorner exact_corner(const Point3& vertex, const Camera& camera) {
   return homogeneous(vertex, camera, CommonScale(camera, std::span(&vertex, 1)));
 }
 
+ExactCorner exact_corner(const Mesh& mesh, VertexId vertex, const Camera& camera) {
+  return homogeneous(mesh, vertex, camera, CommonScale(camera, std::span(&mesh.position(vertex), 1)));
+}
+
 ImagePoint round_to_grid(const ExactCorner& corner, int grid_bits) {
   const auto coordinate = [&](const BigInteger& numerator) {
     const BigInteger doubled = (abs(numerator) << static_cast<unsigned>(grid_bits + 1)) + corner.w;
@@ -126,7 +144,7 @@ Polygon clip(const Mesh& mesh, const Camera& camera, FacetId facet) {
   const CommonScale scale(camera, positions);
   Polygon polygon;
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    polygon.push_back(homogeneous(positions[i], camera, scale));
+    polygon.push_back(homogeneous(mesh, corners[i], camera, scale));
     polygon.back().vertex = corners[i];
     polygon.back().edge_after = mesh.edges_of(facet)[i];
   }

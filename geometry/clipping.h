@@ -20,7 +20,7 @@
 
 namespace sightline {
 
-// A point in the camera's homogeneous coordinates and in the input's, over one common positive factor:
+// A point in the camera's homogeneous coordinates and in the input's, over one common positive factor of its own:
 // X = x / one, W = w / one, ..., position = (px, py, pz) / one.
 struct ExactCorner {
   BigInteger x, y, w, depth;
@@ -40,6 +40,7 @@ struct ExactCorner {
 
 // The corner of a facet that one vertex makes, unclipped.
 [[nodiscard]] ExactCorner exact_corner(const Point3& vertex, const Camera& camera);
+[[nodiscard]] ExactCorner exact_corner(const Mesh& mesh, VertexId vertex, const Camera& camera);
 
 // The window edge coordinates of the left, right, bottom, top, near and far bound, each up to a positive factor:
 // negative outside. A bound that the camera does not have is satisfied.

@@ -51,8 +51,15 @@ std::string describe(const Mesh& mesh, const std::array<FacetId, 2>& pair, const
   return "faces " + name(first.value) + " and " + name(second.value) + " " + verb;
 }
 
-Objection first_contact(const Mesh& mesh, const MeshContacts& contacts) {
-  if (!contacts.crossing.empty()) return describe(mesh, contacts.crossing.front(), "cross");
+Objection first_crossing(const Mesh& mesh, const MeshContacts& contacts) {
+  if (contacts.crossing.empty()) return std::nullopt;
+  if (!mesh.is_cut()) return describe(mesh, contacts.crossing.front(), "cross");
+  const auto [a, b] = mesh.cuts.crossing.front();
+  return describe(mesh, {mesh.cuts.first_facet[a.index()], mesh.cuts.first_facet[b.index()]}, "cross");
+}
+
+// Facets of a mesh that was not cut keep their numbers.
+Objection first_touch(const Mesh& mesh, const MeshContacts& contacts) {
   if (!contacts.touching.empty()) return describe(mesh, contacts.touching.front(), "touch");
   return std::nullopt;
 }
@@ -69,8 +76,9 @@ Objection component_around(const Mesh& mesh, const Component& component, const H
 
 Objection objection(const Mesh& mesh, const MeshContacts& contacts, const Camera& camera) {
   if (camera.near_distance) return "the near plane may cut the surface open";
+  if (const Objection crossing = first_crossing(mesh, contacts)) return crossing;
   if (const Objection edge = open_edge(mesh)) return edge;
-  if (const Objection contact = first_contact(mesh, contacts)) return contact;
+  if (const Objection touch = first_touch(mesh, contacts)) return touch;
   for (const Component& component : components(mesh)) {
     if (const Objection around = component_around(mesh, component, camera.eye)) return around;
   }

@@ -1,6 +1,7 @@
 #include "geometry/facet_contact.h"
 
 #include <algorithm>
+#include <array>
 #include <boost/container/small_vector.hpp>
 
 namespace sightline {
@@ -55,16 +56,55 @@ Signs sides_of_plane(const ConvexFacet& facet, const ConvexFacet& other) {
   return signs;
 }
 
-// How the edges of `facet` that pass through the plane of `other`, strictly, meet `other`.
-Contact contact_of_edges(const ConvexFacet& facet, const Signs& sides, const ConvexFacet& other) {
-  Contact contact = Contact::none;
+// Where a facet meets the other's plane: in an interval of the planes' common line, seen in the direction of the cross
+// product of the facet's normal with the other's. Each end is on an edge, given from its corner in front of the other's
+// plane to its corner behind or on it.
+struct PlaneInterval {
+  std::array<Point3, 2> low;
+  std::array<Point3, 2> high;
+};
+
+// The facet runs counter-clockwise around its normal, so it leaves the front side at the interval's high end.
+// Precondition: it has corners strictly on both sides.
+PlaneInterval plane_interval(const ConvexFacet& facet, const Signs& sides) {
+  PlaneInterval interval;
+  for (std::size_t i = 0; i < facet.size(); ++i) {
+    const std::size_t next = facet.next(i);
+    if (sides[i] > 0 && sides[next] <= 0) interval.high = {facet.position(i), facet.position(next)};
+    if (sides[i] <= 0 && sides[next] > 0) interval.low = {facet.position(next), facet.position(i)};
+  }
+  return interval;
+}
+
+// Of two lines that meet the common line of the planes of a and b, each from front to back of the other's plane, the
+// first in the plane of a: +1 where the second meets it later in the direction of (normal of a) x (normal of b), 0 where
+// at one point.
+//
+// With directions s and t and meeting points P and Q = P + lambda u, u = n_a x n_b, orient3d is det(s, Q - P, t) =
+// lambda u . (t x s) = lambda (n_a . t) (n_b . s), since n_a . s = 0, and both factors are negative.
+Sign order_along(const std::array<Point3, 2>& in_a, const std::array<Point3, 2>& in_b) {
+  return orient3d(in_a[0], in_a[1], in_b[0], in_b[1]);
+}
+
+// b's interval is seen in the opposite direction, so its high end is the low one for a.
+bool intervals_overlap(const PlaneInterval& a, const PlaneInterval& b) {
+  return order_along(a.low, b.low) > 0 && order_along(a.high, b.high) < 0;
+}
+
+bool straddles(const SignSummary& s) { return s.negative && s.positive; }
+
+bool crosses(const ConvexFacet& a, const Signs& a_sides, const ConvexFacet& b, const Signs& b_sides) {
+  return straddles(summarise(a_sides, a, b)) && straddles(summarise(b_sides, b, a)) &&
+         intervals_overlap(plane_interval(a, a_sides), plane_interval(b, b_sides));
+}
+
+// Whether an edge of `facet` that passes through the plane of `other`, strictly, meets `other`.
+bool touches_with_edge(const ConvexFacet& facet, const Signs& sides, const ConvexFacet& other) {
   for (std::size_t i = 0; i < facet.size(); ++i) {
     if (sides[i] * sides[facet.next(i)] >= 0) continue;
-    const Place where = place_of_line(other, facet.position(i), {facet.position(facet.next(i)), 1});
-    if (where == Place::inside) return Contact::crossing;
-    if (where == Place::boundary) contact = Contact::touching;
+    if (place_of_line(other, facet.position(i), {facet.position(facet.next(i)), 1}) != Place::outside) return true;
   }
-  return contact;
+  return false;
 }
 
 // Whether a corner of `facet` that `other` does not share lies in `other`.
@@ -78,8 +118,8 @@ bool touches_with_corner(const ConvexFacet& facet, const Signs& sides, const Con
 }
 
 Contact contact_across_planes(const ConvexFacet& a, const Signs& a_sides, const ConvexFacet& b, const Signs& b_sides) {
-  const Contact by_edges = std::max(contact_of_edges(a, a_sides, b), contact_of_edges(b, b_sides, a));
-  if (by_edges != Contact::none) return by_edges;
+  if (crosses(a, a_sides, b, b_sides)) return Contact::crossing;
+  if (touches_with_edge(a, a_sides, b) || touches_with_edge(b, b_sides, a)) return Contact::touching;
   if (touches_with_corner(a, a_sides, b) || touches_with_corner(b, b_sides, a)) return Contact::touching;
   return contact_along_shared_corners(a, b);
 }

@@ -2,7 +2,7 @@
 //
 // In:  two facets with welded corners.
 // Out:
-//   - crossing: an edge of one passes strictly from one side of the other's plane to the other, strictly inside it;
+//   - crossing: their interiors meet, and their planes differ: each passes through the other along their common line;
 //   - touching: they meet, outside the vertices and edges they share, without crossing so;
 //   - none: they meet in what they share at most.
 // Exact. What is shared is known by its id, without arithmetic.
@@ -12,6 +12,8 @@
 // How: where the planes differ, the facets meet in a segment of the planes' common line, each end of which is a corner
 // of one facet or the place where an edge passes through the plane. Where they coincide, they meet in a convex polygon,
 // each vertex of which is a corner of one facet or a crossing of two edges. So looking at corners and edges is enough.
+// Facets cross where each has corners strictly on both sides of the other's plane, and the two intervals in which they
+// meet the planes' common line overlap in more than a point (after Devillers and Guigue 2002, for convex polygons).
 #pragma once
 
 #include "geometry/convex_facet.h"

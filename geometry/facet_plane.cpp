@@ -3,7 +3,8 @@
 namespace sightline {
 
 std::array<VertexId, 3> plane_corners(const Mesh& mesh, FacetId facet) {
-  const auto corners = mesh.corners(facet);
+  const auto corners =
+      mesh.is_cut() ? mesh.cuts.wholes[mesh.cuts.whole_of[facet.index()].index()] : mesh.corners(facet);
   std::size_t third = 2;
   if (corners.size() == 3) return {corners[0], corners[1], corners[2]};
   while (third + 1 < corners.size() &&

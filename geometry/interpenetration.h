@@ -1,8 +1,8 @@
 // Where a mesh meets itself apart from its shared vertices and edges.
 //
 // In:  a mesh.
-// Out: the pairs of facets that cross (an edge of one passes strictly through the other's interior), and how many
-//      pairs touch (they meet, outside shared vertices and edges, without crossing so: T-junctions, coplanar overlap,
+// Out: the pairs of facets that cross (each passes through the other's interior along their planes' common line), and
+//      those that touch (they meet, outside shared vertices and edges, without crossing: T-junctions, coplanar overlap,
 //      tips). Exact on the input's coordinates; shared vertices and edges are recognised by index (welded), without
 //      arithmetic.
 // Complexity: O(n log n) plus the pairs whose bounding boxes overlap (a hierarchy of boxes, median split).

@@ -14,7 +14,7 @@ std::vector<ProjectedVertex> project_vertices(const Mesh& mesh, const Camera& ca
   std::vector<std::uint8_t> used(mesh.vertices.size(), 0);
   for (const VertexId v : mesh.facets.corners) used[v.index()] = 1;
   for (std::size_t v = 0; v < used.size(); ++v) {
-    if (used[v] != 0) projected[v] = project_vertex(mesh.vertices[v], camera, grid_bits);
+    if (used[v] != 0) projected[v] = project_vertex(mesh, VertexId(v), camera, grid_bits);
   }
   return projected;
 }

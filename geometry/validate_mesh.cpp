@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/common_lines.h"
 #include "geometry/face_shape.h"
 #include "geometry/mesh.h"
 #include "geometry/validate_facets.h"
@@ -135,6 +136,7 @@ void check_defects(const Mesh& mesh, Messages& messages) {
 }  // namespace
 
 std::vector<std::string> validate(const Mesh& mesh) {
+  if (mesh.is_cut()) return validate(without_cuts(mesh));
   Messages messages = check_arrays(mesh);
   if (!messages.empty()) return messages;
   check_vertices(mesh, messages);

@@ -74,6 +74,16 @@ std::optional<std::int64_t> rounded(const Bounded& numerator, const Bounded& den
   return numerator.value < 0 ? -magnitude : magnitude;
 }
 
+ProjectedVertex projected(const ExactCorner& corner, const Camera& camera, int grid_bits) {
+  ProjectedVertex result;
+  const std::vector<BigInteger> wecs = window_edge_coordinates(camera, corner);
+  for (std::size_t bound = 0; bound < wecs.size(); ++bound) set_outcode(result, bound, sign_of(wecs[bound]));
+  if (result.strictly_outside != 0 || corner.w == 0) return result;
+  result.image = round_to_grid(corner, grid_bits);
+  result.w = corner.weight();
+  return result;
+}
+
 }  // namespace
 
 namespace projection_tiers {
@@ -100,14 +110,7 @@ std::optional<ProjectedVertex> filtered(const Point3& v, const Camera& camera, i
 }
 
 ProjectedVertex exact(const Point3& v, const Camera& camera, int grid_bits) {
-  const ExactCorner corner = exact_corner(v, camera);
-  ProjectedVertex result;
-  const std::vector<BigInteger> wecs = window_edge_coordinates(camera, corner);
-  for (std::size_t bound = 0; bound < wecs.size(); ++bound) set_outcode(result, bound, sign_of(wecs[bound]));
-  if (result.strictly_outside != 0 || corner.w == 0) return result;
-  result.image = round_to_grid(corner, grid_bits);
-  result.w = corner.weight();
-  return result;
+  return projected(exact_corner(v, camera), camera, grid_bits);
 }
 
 }  // namespace projection_tiers
@@ -115,6 +118,11 @@ ProjectedVertex exact(const Point3& v, const Camera& camera, int grid_bits) {
 ProjectedVertex project_vertex(const Point3& vertex, const Camera& camera, int grid_bits) {
   const auto fast = projection_tiers::filtered(vertex, camera, grid_bits);
   return fast ? *fast : projection_tiers::exact(vertex, camera, grid_bits);
+}
+
+ProjectedVertex project_vertex(const Mesh& mesh, VertexId vertex, const Camera& camera, int grid_bits) {
+  if (vertex.index() < mesh.input_vertex_count()) return project_vertex(mesh.position(vertex), camera, grid_bits);
+  return projected(exact_corner(mesh, vertex, camera), camera, grid_bits);
 }
 
 }  // namespace sightline

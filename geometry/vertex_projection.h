@@ -12,6 +12,7 @@
 
 #include "geometry/camera.h"
 #include "geometry/image_point.h"
+#include "geometry/mesh.h"
 
 namespace sightline {
 
@@ -23,6 +24,9 @@ struct ProjectedVertex {
 };
 
 [[nodiscard]] ProjectedVertex project_vertex(const Point3& vertex, const Camera& camera, int grid_bits);
+
+// The same for a vertex of a mesh; one that cutting made goes through the exact tier.
+[[nodiscard]] ProjectedVertex project_vertex(const Mesh& mesh, VertexId vertex, const Camera& camera, int grid_bits);
 
 namespace projection_tiers {
 // Empty where the error bound does not decide every bound and the rounding.

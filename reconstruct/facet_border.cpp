@@ -2,28 +2,8 @@
 
 #include <algorithm>
 
-#include "geometry/predicates.h"
-
 namespace sightline {
 namespace {
-
-// Per edge of the facet: a number that edges on one straight line share.
-std::vector<std::uint32_t> straight_sides(const Mesh& mesh, FacetId facet) {
-  const auto corners = mesh.corners(facet);
-  const std::size_t n = corners.size();
-  std::vector<std::uint32_t> side(n);
-  for (std::uint32_t i = 0; i < n; ++i) side[i] = i;
-  if (n == 3) return side;
-  const auto straight_at = [&](std::size_t i) {
-    return collinear(mesh.position(corners[i == 0 ? n - 1 : i - 1]), mesh.position(corners[i]),
-                     mesh.position(corners[i + 1 == n ? 0 : i + 1]));
-  };
-  for (std::size_t i = 1; i < n; ++i) side[i] = straight_at(i) ? side[i - 1] : side[i];
-  if (!straight_at(0)) return side;
-  const std::uint32_t last = side.back();
-  std::replace(side.begin(), side.end(), last, side.front());
-  return side;
-}
 
 // The points of an edge in the direction in which the facet runs through it.
 std::vector<EdgePoint> along(const Mesh& mesh, const EdgePoints& edge_points, MeshEdgeId edge, VertexId from) {
@@ -44,6 +24,22 @@ void drop_repeated(std::vector<Point>& border, VertexOf vertex_of) {
 }
 
 }  // namespace
+
+std::vector<std::uint32_t> straight_sides(const Mesh& mesh, FacetId facet) {
+  const auto corners = mesh.corners(facet);
+  const std::size_t n = corners.size();
+  std::vector<std::uint32_t> side(n);
+  for (std::uint32_t i = 0; i < n; ++i) side[i] = i;
+  if (n == 3) return side;
+  const auto straight_at = [&](std::size_t i) {
+    return collinear(mesh, corners[i == 0 ? n - 1 : i - 1], corners[i], corners[i + 1 == n ? 0 : i + 1]);
+  };
+  for (std::size_t i = 1; i < n; ++i) side[i] = straight_at(i) ? side[i - 1] : side[i];
+  if (!straight_at(0)) return side;
+  const std::uint32_t last = side.back();
+  std::replace(side.begin(), side.end(), last, side.front());
+  return side;
+}
 
 std::vector<BorderPoint> facet_border(const Mesh& mesh, const EdgePoints& edge_points, FacetId facet) {
   const auto corners = mesh.corners(facet);

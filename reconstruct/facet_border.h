@@ -29,6 +29,9 @@ class InnerVertices {
   virtual VertexId at(PointId p, std::optional<Point3> position) = 0;
 };
 
+// Per edge of the facet: a number that edges on one straight line share.
+[[nodiscard]] std::vector<std::uint32_t> straight_sides(const Mesh& mesh, FacetId facet);
+
 [[nodiscard]] std::vector<BorderPoint> facet_border(const Mesh& mesh, const EdgePoints& edge_points, FacetId facet);
 
 // With splits_of_view_border: the sweep's splits along the view volume's border are points, too.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "geometry/facet_plane.h"
 #include "reconstruct/constrained_delaunay.h"
@@ -15,15 +16,31 @@
 namespace sightline {
 namespace {
 
+// The corners of the rounded polygon at which the facet itself turns. Rounding may bend a straight side, within the grid.
+std::vector<ImagePoint> turning_points(const Mesh& mesh, const ProjectedScene& scene, FacetId facet) {
+  const auto polygon = scene.polygon(facet);
+  const auto edges = mesh.edges_of(facet);
+  const std::vector<std::uint32_t> sides = straight_sides(mesh, facet);
+  const auto side_after = [&](const ClippedCorner& corner) -> std::optional<std::uint32_t> {
+    if (!corner.edge_after.valid()) return std::nullopt;
+    return sides[static_cast<std::size_t>(std::ranges::find(edges, corner.edge_after) - edges.begin())];
+  };
+  std::vector<ImagePoint> points;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const auto side = side_after(polygon[i]);
+    if (side && side == side_after(polygon[i == 0 ? polygon.size() - 1 : i - 1])) continue;
+    const ImagePoint& point = scene.point(polygon[i].point);
+    if (points.empty() || points.back() != point) points.push_back(point);
+  }
+  while (points.size() > 1 && points.front() == points.back()) points.pop_back();
+  return points;
+}
+
 // Whether the rounded polygon is still convex and turns as the facet does. Where it is not, the facet is narrower than
 // the grid.
-bool is_proper(const ProjectedScene& scene, FacetId facet) {
+bool is_proper(const Mesh& mesh, const ProjectedScene& scene, FacetId facet) {
   const Sign turn = scene.facing[facet.index()] == Facing::back ? -1 : 1;
-  std::vector<ImagePoint> p;
-  for (const ClippedCorner& corner : scene.polygon(facet)) {
-    if (p.empty() || p.back() != scene.point(corner.point)) p.push_back(scene.point(corner.point));
-  }
-  while (p.size() > 1 && p.front() == p.back()) p.pop_back();
+  const std::vector<ImagePoint> p = turning_points(mesh, scene, facet);
   bool turns = false;
   int descents = 0;  // how often the border begins to run down the sweep order: once around a convex polygon
   for (std::size_t i = 0; i < p.size() && p.size() > 2; ++i) {
@@ -56,14 +73,8 @@ class Labeller {
   }
 
   LabelledMesh run() {
-    for (std::size_t face = 0; face < mesh_.face_count(); ++face) {
-      const std::size_t begin = mesh_.first_facet(FaceId(face));
-      const std::size_t end = mesh_.end_facet(FaceId(face));
-      if (mesh_.face_planar[face] != 0) {
-        if (begin != end) add_surface(begin, end);
-      } else {
-        for (std::size_t f = begin; f < end; ++f) add_surface(f, f + 1);
-      }
+    for (FacetId surface(0); surface.index() < mesh_.facet_count(); surface = end_of_surface(mesh_, surface)) {
+      add_surface(surface.index(), end_of_surface(mesh_, surface).index());
     }
     drop_unused_vertices();
     return std::move(result_);
@@ -73,7 +84,7 @@ class Labeller {
   // A split of a line between two facets of one planar face may turn out to be no border of anything.
   void drop_unused_vertices() {
     std::vector<std::uint8_t> used(result_.vertices.size(), 0);
-    std::fill_n(used.begin(), mesh_.vertices.size(), std::uint8_t{1});
+    std::fill_n(used.begin(), mesh_.input_vertex_count(), std::uint8_t{1});
     for (const LabelledTriangle& t : result_.triangles) {
       for (const VertexId v : t.corners) used[v.index()] = 1;
     }
@@ -97,7 +108,7 @@ class Labeller {
     const FacetId surface(begin);
     inner_.begin(surface);
     const std::vector<SegmentId> visible = visible_segments_of(surface);
-    const bool all_proper = end - begin > 1 || is_proper(scene_, surface);
+    const bool all_proper = end - begin > 1 || is_proper(mesh_, scene_, surface);
     bool seen = !visible.empty() && all_proper;
     if (seen && !is_whole(visible, begin, end)) {
       if (add_partly_visible(begin, end, visible)) return;
@@ -170,8 +181,8 @@ class Labeller {
     add_outside(f, {});
   }
 
-  // False, and nothing added, where the rounded border of a face with several facets crosses itself: parts of the face are
-  // narrower than the grid, and its image is no polygon. Such a face gets one label, that of most of its area.
+  // False, and nothing added, where the rounded border of a surface crosses itself: parts of it are narrower than the
+  // grid, and its image is no polygon. Such a surface gets one label, that of most of its area.
   bool add_partly_visible(std::size_t begin, std::size_t end, const std::vector<SegmentId>& visible) {
     const bool front = scene_.facing[begin] == Facing::front;
     SurfaceInView surface{FacetId(begin), !front, {}, visible};
@@ -184,7 +195,6 @@ class Labeller {
     try {
       pieces = visible_pieces(mesh_, scene_, points_, segments_, surface, edge_points_, result_.vertices, inner_);
     } catch (const ConstraintConflict&) {
-      if (end - begin == 1) throw;
       return false;
     }
     for (const Piece& piece : pieces) {

@@ -86,8 +86,7 @@ class OutsidePieces {
       flat_.add(polygon[i], corner_vertex(scene.polygon(facet)[i], edge_points, inner), i);
       if (!polygon[i].edge_after.valid()) border_lines_.push_back(i);
     }
-    for (const VertexId v : mesh.corners(facet))
-      flat_.add(exact_corner(mesh.position(v), scene.camera), v, FlatPoint::npos);
+    for (const VertexId v : mesh.corners(facet)) flat_.add(exact_corner(mesh, v, scene.camera), v, FlatPoint::npos);
     flat_.sort();
     corner_count_ = polygon.size();
   }

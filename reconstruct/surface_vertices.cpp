@@ -1,6 +1,7 @@
 #include "reconstruct/surface_vertices.h"
 
 #include "geometry/errors.h"
+#include "geometry/facet_plane.h"
 #include "reconstruct/lift.h"
 
 namespace sightline {
@@ -17,13 +18,11 @@ VertexId SurfaceVertices::at(PointId p, std::optional<Point3> position) {
 }
 
 Point3 SurfaceVertices::lift(PointId p) const {
-  const FaceId face = mesh_.facet_face[surface_.index()];
-  const bool whole_face = mesh_.face_planar[face.index()] != 0;
-  const std::size_t end = whole_face ? mesh_.end_facet(face) : surface_.index() + 1;
-  for (std::size_t f = surface_.index(); f < end; ++f) {
+  for (std::size_t f = surface_.index(); f < end_of_surface(mesh_, surface_).index(); ++f) {
     if (const auto lifted = lift_on_facet(scene_, points_, FacetId(f), p)) return *lifted;
   }
-  throw InternalError("point " + std::to_string(p.value) + " is not on face " + std::to_string(face.value));
+  throw InternalError("point " + std::to_string(p.value) + " is not on face " +
+                      std::to_string(mesh_.facet_face[surface_.index()].value));
 }
 
 }  // namespace sightline

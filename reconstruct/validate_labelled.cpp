@@ -16,6 +16,7 @@
 #include <bit>
 #include <cmath>
 
+#include "geometry/common_lines.h"
 #include "geometry/facet_plane.h"
 #include "reconstruct/conformity.h"
 #include "reconstruct/labelled_mesh.h"
@@ -201,6 +202,7 @@ void check_faces(const LabelledMesh& labelled, const Mesh& mesh, Messages& messa
 }  // namespace
 
 std::vector<std::string> validate(const LabelledMesh& labelled, const Mesh& mesh) {
+  if (mesh.is_cut()) return validate(labelled, without_cuts(mesh));
   Messages messages;
   check_vertices(labelled, mesh, messages);
   for (std::size_t t = 0; t < labelled.triangles.size(); ++t) check_triangle(labelled, mesh, t, messages);

@@ -21,6 +21,7 @@ struct View {
   LabelledMesh labelled;
 };
 
+// The mesh's facets do not pass through each other: cut_along_common_lines sees to that.
 [[nodiscard]] inline View analyze(const Mesh& mesh, const Camera& camera, Sides sides = Sides::both,
                                   SweepObserver* observer = nullptr) {
   View view;

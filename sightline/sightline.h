@@ -2,6 +2,7 @@
 #pragma once
 
 #include "geometry/camera.h"
+#include "geometry/common_lines.h"
 #include "geometry/culling.h"
 #include "geometry/errors.h"
 #include "geometry/ids.h"

@@ -1,6 +1,6 @@
 #include "sweep/active_edge_list.h"
 
-#include "sweep/mix.h"
+#include "geometry/mix.h"
 
 namespace sightline {
 

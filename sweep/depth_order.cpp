@@ -7,13 +7,29 @@
 namespace sightline {
 
 DepthOrder::DepthOrder(const Mesh& mesh, const ProjectedScene& scene)
-    : mesh_(mesh), eye_(scene.camera.eye), facing_(scene.facing) {
-  planes_.reserve(mesh.facet_count());
-  for (std::size_t f = 0; f < mesh.facet_count(); ++f) {
-    planes_.push_back(plane_corners(mesh, FacetId(f)));
-    if (facing_[f] == Facing::back) std::swap(planes_.back()[1], planes_.back()[2]);
+    : mesh_(mesh), eye_(scene.camera.eye), facing_(scene.facing), pieces_(mesh, scene) {
+  const std::size_t wholes = mesh.is_cut() ? mesh.cuts.wholes.size() : mesh.facet_count();
+  planes_.reserve(wholes);
+  for (std::size_t w = 0; w < wholes; ++w) {
+    planes_.push_back(plane_corners(mesh, first_facet(WholeId(w))));
+    if (is_turned(WholeId(w))) std::swap(planes_.back()[1], planes_.back()[2]);
   }
 }
+
+// A mesh that was not cut has its facets whole.
+WholeId DepthOrder::whole_of(FacetId f) const {
+  return mesh_.is_cut() ? mesh_.cuts.whole_of[f.index()] : WholeId(f.index());
+}
+
+FacetId DepthOrder::first_facet(WholeId w) const {
+  return mesh_.is_cut() ? mesh_.cuts.first_facet[w.index()] : FacetId(w.index());
+}
+
+std::span<const VertexId> DepthOrder::corners(WholeId w) const {
+  return mesh_.is_cut() ? mesh_.cuts.wholes[w.index()] : mesh_.corners(FacetId(w.index()));
+}
+
+bool DepthOrder::is_turned(WholeId w) const { return facing_[first_facet(w).index()] == Facing::back; }
 
 bool DepthOrder::nearer(FacetId f, FacetId g) {
   ++comparisons_;
@@ -22,32 +38,39 @@ bool DepthOrder::nearer(FacetId f, FacetId g) {
 
 // f has the lower facet index, and with it the lower or the same face index.
 bool DepthOrder::lower_is_nearer(FacetId f, FacetId g) {
+  const WholeId of_f = whole_of(f);
+  const WholeId of_g = whole_of(g);
+  if (of_f == of_g) return true;
+  if (mesh_.is_cut() && pieces_.applies_to(of_f, of_g)) return pieces_.lower_is_nearer(f, g);
+  return lower_whole_is_nearer(of_f, of_g);
+}
+
+bool DepthOrder::lower_whole_is_nearer(WholeId f, WholeId g) {
   const Evidence of_f = corners_against_plane(f, g);
   if (of_f.front == 0 && of_f.behind == 0) return true;
   if (of_f.front == 0 || of_f.behind == 0) return of_f.front > 0;
   const Evidence of_g = corners_against_plane(g, f);
   if (of_g.front == 0 || of_g.behind == 0) return of_g.behind > 0;
   const Evidence seen = overlap_evidence(f, g);
-  if (seen.front > 0 && seen.behind > 0) conflicts_.push_back({f, g});
   return seen.front >= seen.behind;
 }
 
 // Stops as soon as f is known to straddle the plane.
-DepthOrder::Evidence DepthOrder::corners_against_plane(FacetId f, FacetId g) {
+DepthOrder::Evidence DepthOrder::corners_against_plane(WholeId f, WholeId g) {
   Evidence evidence;
-  for (const VertexId v : mesh_.corners(f)) {
+  for (const VertexId v : corners(f)) {
     evidence.add(side_towards_eye(g, v));
     if (evidence.front > 0 && evidence.behind > 0) break;
   }
   return evidence;
 }
 
-DepthOrder::Evidence DepthOrder::overlap_evidence(FacetId f, FacetId g) {
+DepthOrder::Evidence DepthOrder::overlap_evidence(WholeId f, WholeId g) {
   Evidence evidence;
-  for (const VertexId v : mesh_.corners(f)) {
+  for (const VertexId v : corners(f)) {
     if (covers(g, v)) evidence.add(side_towards_eye(g, v));
   }
-  for (const VertexId v : mesh_.corners(g)) {
+  for (const VertexId v : corners(g)) {
     if (covers(f, v)) evidence.add(-side_towards_eye(f, v));
   }
   add_edge_crossings(f, g, evidence);
@@ -55,12 +78,12 @@ DepthOrder::Evidence DepthOrder::overlap_evidence(FacetId f, FacetId g) {
 }
 
 // Whether the ray from the eye to v meets the facet, its border included.
-bool DepthOrder::covers(FacetId f, VertexId v) {
-  const auto corners = mesh_.corners(f);
-  const Sign turn = facing_[f.index()] == Facing::back ? -1 : 1;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const VertexId next = corners[i + 1 == corners.size() ? 0 : i + 1];
-    if (seen_orientation(corners[i], next, v) * turn < 0) return false;
+bool DepthOrder::covers(WholeId f, VertexId v) {
+  const auto around = corners(f);
+  const Sign turn = is_turned(f) ? -1 : 1;
+  for (std::size_t i = 0; i < around.size(); ++i) {
+    const VertexId next = around[i + 1 == around.size() ? 0 : i + 1];
+    if (seen_orientation(around[i], next, v) * turn < 0) return false;
   }
   return true;
 }
@@ -68,9 +91,9 @@ bool DepthOrder::covers(FacetId f, VertexId v) {
 // Two edges ab of f and cd of g cross, seen from the eye, where the four orientations below agree (the test for arcs on
 // the sphere of directions; it excludes arcs that cross behind the eye). There cd is nearer than ab where d and the eye
 // are on one side of the plane abc.
-void DepthOrder::add_edge_crossings(FacetId f, FacetId g, Evidence& evidence) {
-  const auto f_corners = mesh_.corners(f);
-  const auto g_corners = mesh_.corners(g);
+void DepthOrder::add_edge_crossings(WholeId f, WholeId g, Evidence& evidence) {
+  const auto f_corners = corners(f);
+  const auto g_corners = corners(g);
   for (std::size_t i = 0; i < f_corners.size(); ++i) {
     const VertexId a = f_corners[i];
     const VertexId b = f_corners[i + 1 == f_corners.size() ? 0 : i + 1];
@@ -88,9 +111,9 @@ void DepthOrder::add_edge_crossings(FacetId f, FacetId g, Evidence& evidence) {
 
 // +1 where v is on the eye's side of the facet's plane. A corner of the facet is on the plane by index, without
 // arithmetic.
-Sign DepthOrder::side_towards_eye(FacetId plane, VertexId v) {
+Sign DepthOrder::side_towards_eye(WholeId plane, VertexId v) {
   const VertexId welded = mesh_.weld[v.index()];
-  for (const VertexId corner : mesh_.corners(plane)) {
+  for (const VertexId corner : corners(plane)) {
     if (mesh_.weld[corner.index()] == welded) return 0;
   }
   const auto& [a, b, c] = planes_[plane.index()];

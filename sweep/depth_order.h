@@ -1,25 +1,27 @@
 // Which of two facets is in front, exactly, on the input's own coordinates: depth is never rounded.
 //
-// In:  two facets that overlap somewhere in the image and are not edge-on.
+// In:  two facets that overlap somewhere in the image, do not pass through each other and are not edge-on.
 // Out: whether the first is nearer to the eye there.
-// Holds: facets that do not interpenetrate have one order wherever they overlap, since both are convex and planar; so
-// the answer does not depend on the place. nearer(f, g) != nearer(g, f). Coplanar facets: the lower face index is in
-// front.
+// Holds: facets that do not pass through each other have one order wherever they overlap, since both are convex and
+// planar; so the answer does not depend on the place. nearer(f, g) != nearer(g, f). Coplanar facets: the lower face index
+// is in front. Pieces of facets that were cut along common lines have the order of the wholes, or, where these cross, one
+// of their own (piece_order.h).
 // Method: if all of one facet is on one side of the other's plane, that side decides. Otherwise they straddle each
 // other's planes, and a place where they overlap is found: a corner of one within the other, or edges of both that
-// cross, seen from the eye. Such a place shows the order by one orient3d. Places that show both orders prove that the
-// facets interpenetrate: a conflict, which is recorded. Facets that overlap in the rounded image only (narrower than
-// the grid) show no place; the lower facet index is in front.
+// cross, seen from the eye. Such a place shows the order by one orient3d. Facets that overlap in the rounded image only
+// (narrower than the grid) show no place; the lower facet index is in front.
 // Departure from Fang's appendix B, which compares depths at the sweep point: that needs the rounded point lifted, and
 // cannot be exact.
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "geometry/mesh.h"
 #include "geometry/predicates.h"
 #include "geometry/projected_scene.h"
+#include "sweep/piece_order.h"
 
 namespace sightline {
 
@@ -29,8 +31,6 @@ class DepthOrder {
 
   [[nodiscard]] bool nearer(FacetId f, FacetId g);
 
-  // Pairs of facets that were seen to interpenetrate, smaller id first, in order of discovery, repeated.
-  [[nodiscard]] const std::vector<std::array<FacetId, 2>>& conflicts() const { return conflicts_; }
   [[nodiscard]] const predicates::Counts& counts() const { return counts_; }
   [[nodiscard]] std::uint64_t comparisons() const { return comparisons_; }
 
@@ -45,19 +45,25 @@ class DepthOrder {
     }
   };
 
-  [[nodiscard]] Evidence corners_against_plane(FacetId f, FacetId g);
-  [[nodiscard]] Evidence overlap_evidence(FacetId f, FacetId g);
-  [[nodiscard]] bool covers(FacetId f, VertexId v);
-  void add_edge_crossings(FacetId f, FacetId g, Evidence& evidence);
-  [[nodiscard]] Sign side_towards_eye(FacetId plane, VertexId v);
-  [[nodiscard]] Sign seen_orientation(VertexId a, VertexId b, VertexId c);
+  [[nodiscard]] WholeId whole_of(FacetId f) const;
+  [[nodiscard]] FacetId first_facet(WholeId w) const;
+  [[nodiscard]] std::span<const VertexId> corners(WholeId w) const;
+  [[nodiscard]] bool is_turned(WholeId w) const;
   [[nodiscard]] bool lower_is_nearer(FacetId f, FacetId g);
+  [[nodiscard]] bool lower_whole_is_nearer(WholeId f, WholeId g);
+  [[nodiscard]] Evidence corners_against_plane(WholeId f, WholeId g);
+  [[nodiscard]] Evidence overlap_evidence(WholeId f, WholeId g);
+  [[nodiscard]] bool covers(WholeId f, VertexId v);
+  void add_edge_crossings(WholeId f, WholeId g, Evidence& evidence);
+  [[nodiscard]] Sign side_towards_eye(WholeId plane, VertexId v);
+  [[nodiscard]] Sign seen_orientation(VertexId a, VertexId b, VertexId c);
 
   const Mesh& mesh_;
   HomogeneousPoint eye_;
-  std::vector<std::array<VertexId, 3>> planes_;  // three corners, so turned that the eye sees them counter-clockwise
   const std::vector<Facing>& facing_;
-  std::vector<std::array<FacetId, 2>> conflicts_;
+  PieceOrder pieces_;
+  // Per whole: three corners, so turned that the eye sees them counter-clockwise.
+  std::vector<std::array<VertexId, 3>> planes_;
   predicates::Counts counts_;
   std::uint64_t comparisons_ = 0;
 };

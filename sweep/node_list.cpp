@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "sweep/mix.h"
+#include "geometry/mix.h"
 
 namespace sightline {
 // Facets that leave go first, so that those that enter are compared with as few as possible.

@@ -14,8 +14,8 @@
 namespace sightline {
 
 // How the topmost facet is found.
-//   - depth: the list is sorted by depth. Exact and fast where DepthOrder is transitive, as it is for facets that do not
-//     interpenetrate.
+//   - depth: the list is sorted by depth. Exact and fast where DepthOrder is transitive, as it is but for facets
+//     that overlap in the rounded image only.
 //   - tournament: the list is sorted by facet, and the topmost is who is left when each in turn meets the best so far.
 //     It depends on the contents alone, so that the subdivision closes whatever the depths say.
 enum class NodeOrder { depth, tournament };

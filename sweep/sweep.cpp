@@ -14,7 +14,7 @@ namespace sightline {
 namespace {
 
 // Thrown where a span, reached from above and around the sweep point, has the same facets but different topmost ones:
-// the depths are not transitive there, because facets interpenetrate or overlap in the rounded image only.
+// the depths are not transitive there, because facets overlap in the rounded image only.
 struct IntransitiveDepth {};
 
 class Sweep {
@@ -43,7 +43,6 @@ class Sweep {
     check(active_.empty(), "edges are left over after the last sweep point");
     result_.statistics.depth_comparisons = depth_.comparisons();
     result_.statistics.predicates = depth_.counts();
-    result_.conflicts = input_.faces_of(depth_.conflicts());
     std::sort(result_.splits.begin(), result_.splits.end());
     result_.splits.erase(std::unique(result_.splits.begin(), result_.splits.end()), result_.splits.end());
     return std::move(result_);

@@ -1,10 +1,11 @@
 // The sweep: projected scene in, visible segments out.
 //
-// In:  a mesh, its projected scene, and optionally an observer.
-// Out: VisibleSegments (see there for what holds). Where facets interpenetrate (or overlap in the rounded image only)
-//      their order may be no order: then the topmost facet of a span is found by a tournament that depends on nothing
-//      but the span's facets, so that every ring closes all the same (NodeOrder in node_list.h). The observer then
-//      sees the sweep begin anew.
+// In:  a mesh whose facets do not pass through each other (cut_along_common_lines), its projected scene, and optionally an
+//      observer.
+// Out: VisibleSegments (see there for what holds). Where facets overlap in the rounded image only, their order may be no
+//      order: then the topmost facet of a span is found by a tournament that depends on nothing but the span's facets,
+//      so that every ring closes all the same (NodeOrder in node_list.h). The observer then sees the sweep begin anew.
+//      The same holds, with the wrong facet on top in places, for facets that pass through each other.
 // Complexity: O((n + k) (log n + d)) for n edges, k crossings and d facets over one point of the image.
 // Errors: InternalError where an invariant of the sweep does not hold, with the sweep point.
 // Source: Fang 1993, section 5.3.1 and appendix B; Sechrest and Greenberg 1982; Nurmi 1985.

@@ -16,7 +16,7 @@ void group(const ProjectedScene& scene, EndOf end_of, std::vector<EdgeId>& edges
 
 }  // namespace
 
-SweepInput::SweepInput(const Mesh& mesh, const ProjectedScene& scene) : mesh_(mesh) {
+SweepInput::SweepInput(const Mesh& mesh, const ProjectedScene& scene) {
   group(
       scene, [](const SceneEdge& e) { return e.top; }, by_top_, top_begin_);
   group(
@@ -40,14 +40,6 @@ void SweepInput::find_several_vertices(const Mesh& mesh, const ProjectedScene& s
     if (!first.valid()) first = vertex;
     if (first != vertex) several_vertices_[corner.point.index()] = 1;
   }
-}
-
-std::vector<std::array<FaceId, 2>> SweepInput::faces_of(const std::vector<std::array<FacetId, 2>>& pairs) const {
-  std::vector<std::array<FaceId, 2>> faces;
-  for (const auto& [f, g] : pairs) faces.push_back({mesh_.facet_face[f.index()], mesh_.facet_face[g.index()]});
-  std::sort(faces.begin(), faces.end());
-  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-  return faces;
 }
 
 }  // namespace sightline

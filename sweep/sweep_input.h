@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <span>
 #include <vector>
 
@@ -29,9 +28,6 @@ class SweepInput {
   // Whether vertices at different positions of the input fall on this point.
   [[nodiscard]] bool has_several_vertices(PointId p) const { return several_vertices_[p.index()] != 0; }
 
-  // The faces of pairs of facets; sorted, distinct.
-  [[nodiscard]] std::vector<std::array<FaceId, 2>> faces_of(const std::vector<std::array<FacetId, 2>>& pairs) const;
-
  private:
   static std::span<const EdgeId> range(const std::vector<EdgeId>& edges, const std::vector<std::uint32_t>& begin,
                                        PointId p) {
@@ -40,7 +36,6 @@ class SweepInput {
   }
   void find_several_vertices(const Mesh& mesh, const ProjectedScene& scene);
 
-  const Mesh& mesh_;
   std::vector<EdgeId> by_top_, by_bottom_;
   std::vector<std::uint32_t> top_begin_, bottom_begin_;
   std::vector<ImagePoint> direction_;  // per edge: bottom - top

@@ -70,7 +70,6 @@ class SegmentCheck {
     check_overlaps();
     for (std::size_t t = 0; t < segments_.threads.size(); ++t) check_thread(t);
     for (std::size_t s = 0; s < segments_.splits.size(); ++s) check_split(s);
-    check_conflicts();
   }
 
  private:
@@ -195,15 +194,6 @@ class SegmentCheck {
     };
     if (std::ranges::none_of(scene_.sides_of(split.edge), is_its_side))
       messages_.push_back(split_name(i) + ": " + name(split.edge) + " has no such side of " + name(split.facet));
-  }
-
-  void check_conflicts() {
-    for (std::size_t i = 0; i < segments_.conflicts.size(); ++i) {
-      const auto& pair = segments_.conflicts[i];
-      if (pair[1] < pair[0] || (i > 0 && segments_.conflicts[i - 1] >= pair))
-        messages_.push_back("conflict " + std::to_string(i) + " of faces " + std::to_string(pair[0].value) + " and " +
-                            std::to_string(pair[1].value) + " is repeated or out of order");
-    }
   }
 
   const VisibleSegments& segments_;

@@ -64,10 +64,9 @@ struct SweepStatistics {
 
 struct VisibleSegments {
   std::vector<Crossing> crossings;
-  std::vector<VisibleSegment> segments;          // by the sweep point at which they open, then left to right
-  std::vector<Thread> threads;                   // by sweep point
-  std::vector<EdgeSplit> splits;                 // sorted, distinct
-  std::vector<std::array<FaceId, 2>> conflicts;  // pairs of faces that were seen to interpenetrate; sorted, distinct
+  std::vector<VisibleSegment> segments;  // by the sweep point at which they open, then left to right
+  std::vector<Thread> threads;           // by sweep point
+  std::vector<EdgeSplit> splits;         // sorted, distinct
   SweepStatistics statistics;
 };
 

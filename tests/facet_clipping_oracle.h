@@ -112,8 +112,17 @@ inline bool is_shared(const RationalPolygon& a, const RationalPolygon& b, const 
          is_edge(b, *points.begin(), *points.rbegin());
 }
 
+// Whether the middle of the line they meet in is inside both, and their planes differ.
+inline bool interiors_cross(const RationalPolygon& a, const RationalPolygon& b) {
+  const auto points = meeting_points(a, b);
+  if (points.size() < 2 || outer(above(a).normal, above(b).normal) == RationalPoint{0, 0, 0}) return false;
+  RationalPoint middle;
+  for (std::size_t i = 0; i < 3; ++i) middle[i] = ((*points.begin())[i] + (*points.rbegin())[i]) / 2;
+  return strictly_inside(a, middle) && strictly_inside(b, middle);
+}
+
 inline Contact contact_by_clipping(const RationalPolygon& a, const RationalPolygon& b) {
-  if (an_edge_crosses(a, b) || an_edge_crosses(b, a)) return Contact::crossing;
+  if (interiors_cross(a, b)) return Contact::crossing;
   return is_shared(a, b, meeting_points(a, b)) ? Contact::none : Contact::touching;
 }
 
@@ -121,7 +130,11 @@ inline Contact contact_by_clipping(const RationalPolygon& a, const RationalPolyg
 inline std::string kind(const RationalPolygon& a, const RationalPolygon& b, Contact contact) {
   const auto shared = std::count_if(a.begin(), a.end(), [&](const RationalPoint& p) { return is_corner(b, p); });
   if (contact == Contact::none) return "apart, shared corners: " + std::to_string(shared);
-  if (contact == Contact::crossing) return "crossing, shared corners: " + std::to_string(shared);
+  if (contact == Contact::crossing) {
+    const bool by_edge = an_edge_crosses(a, b) || an_edge_crosses(b, a);
+    return std::string("crossing, ") +
+           (by_edge ? "shared corners: " + std::to_string(shared) : "along a chord of both");
+  }
   if (std::all_of(b.begin(), b.end(), [&](const RationalPoint& p) { return above(a)(p) == 0; })) {
     return "touching in one plane, shared corners: " + std::to_string(shared);
   }
@@ -130,7 +143,7 @@ inline std::string kind(const RationalPolygon& a, const RationalPolygon& b, Cont
     if (strictly_inside(a, p) || strictly_inside(b, p)) return "touching, corner in a facet";
     if (is_corner(a, p) != is_corner(b, p)) return "touching, corner on an edge";
   }
-  return "touching, along a chord of both";
+  return "touching, along an edge";
 }
 
 }  // namespace sightline::clipping_oracle

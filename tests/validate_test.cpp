@@ -183,10 +183,6 @@ const std::vector<Breakage<Stages>> broken_segments{
     {"is not inside edge",
      [](Stages& s) { s.segments.splits[0].point = s.scene.edge(s.segments.splits[0].edge).bottom; }},
     {"has no such side of facet 0", [](Stages& s) { s.segments.splits[0].facet = pentagon; }},
-    {"conflict 0 of faces 1 and 0",
-     [](Stages& s) {
-       s.segments.conflicts.push_back({FaceId(1), FaceId(0)});
-     }},
 };
 
 TEST_CASE("validate reports what is broken in visible segments") {
