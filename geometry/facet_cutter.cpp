@@ -78,8 +78,8 @@ class Partition {
 
   void cut(std::size_t node, const Cutter& cutter) {
     const CutPolygon piece = nodes_[node].piece;
+    if (!passes_through(*cutter.plane, *cutter.chord, piece)) return;
     const std::vector<Sign> sides = sides_of(piece, *cutter.plane);
-    if (!straddles(sides) || !overlap(meet(piece, *cutter.plane), *cutter.chord)) return;
     nodes_[node] = {cutter.plane, nodes_.size(), nodes_.size() + 1, {}};
     nodes_.push_back({nullptr, 0, 0, part_on_side(piece, sides, *cutter.plane, 1)});
     nodes_.push_back({nullptr, 0, 0, part_on_side(piece, sides, *cutter.plane, -1)});
@@ -94,7 +94,7 @@ CutPolygon whole_polygon(const Mesh& mesh, FacetId facet) {
   CutPolygon polygon;
   const auto corners = mesh.corners(facet);
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    polygon.push_back({exact_position(mesh.position(corners[i])), corners[i], mesh.edges_of(facet)[i]});
+    polygon.push_back({exact_position(mesh, corners[i]), corners[i], mesh.edges_of(facet)[i]});
   }
   return polygon;
 }
@@ -118,6 +118,10 @@ Chord meet(const CutPolygon& polygon, const ExactPlane& plane) {
 }
 
 Chord common_part(const Chord& a, const Chord& b) { return {later(a.low, b.low), earlier(a.high, b.high)}; }
+
+bool passes_through(const ExactPlane& plane, const Chord& chord, const CutPolygon& polygon) {
+  return straddles(sides_of(polygon, plane)) && overlap(meet(polygon, plane), chord);
+}
 
 std::vector<CutPolygon> cut_facet(CutPolygon facet, std::span<const Cutter> cutters) {
   Partition partition(std::move(facet));

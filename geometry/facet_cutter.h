@@ -46,6 +46,9 @@ using CutPolygon = std::vector<CutCorner>;
 // What two chords of one line have in common. Precondition: more than a point.
 [[nodiscard]] Chord common_part(const Chord& a, const Chord& b);
 
+// Whether a chord in a plane enters the inside of a convex polygon.
+[[nodiscard]] bool passes_through(const ExactPlane& plane, const Chord& chord, const CutPolygon& polygon);
+
 [[nodiscard]] std::vector<CutPolygon> cut_facet(CutPolygon facet, std::span<const Cutter> cutters);
 
 }  // namespace sightline

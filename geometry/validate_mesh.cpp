@@ -4,6 +4,7 @@
 #include "geometry/common_lines.h"
 #include "geometry/face_shape.h"
 #include "geometry/mesh.h"
+#include "geometry/validate_cuts.h"
 #include "geometry/validate_facets.h"
 
 namespace sightline {
@@ -133,12 +134,21 @@ void check_defects(const Mesh& mesh, Messages& messages) {
   }
 }
 
+// What is said of positions holds before the cut; of the pieces exactly, and of the numbering for both.
+Messages validate_cut_mesh(const Mesh& mesh) {
+  Messages messages = validate(without_cuts(mesh));
+  if (messages.empty()) check_facet_edges(mesh, messages);
+  if (messages.empty()) check_numbering(mesh, messages);
+  if (messages.empty()) check_cuts(mesh, messages);
+  return messages;
+}
+
 }  // namespace
 
 std::vector<std::string> validate(const Mesh& mesh) {
-  if (mesh.is_cut()) return validate(without_cuts(mesh));
   Messages messages = check_arrays(mesh);
   if (!messages.empty()) return messages;
+  if (mesh.is_cut()) return validate_cut_mesh(mesh);
   check_vertices(mesh, messages);
   check_edges(mesh, messages);
   check_facet_edges(mesh, messages);

@@ -1,6 +1,9 @@
 #include "reconstruct/facet_border.h"
 
 #include <algorithm>
+#include <array>
+#include <map>
+#include <utility>
 
 namespace sightline {
 namespace {
@@ -25,8 +28,7 @@ void drop_repeated(std::vector<Point>& border, VertexOf vertex_of) {
 
 }  // namespace
 
-std::vector<std::uint32_t> straight_sides(const Mesh& mesh, FacetId facet) {
-  const auto corners = mesh.corners(facet);
+std::vector<std::uint32_t> straight_sides(const Mesh& mesh, std::span<const VertexId> corners) {
   const std::size_t n = corners.size();
   std::vector<std::uint32_t> side(n);
   for (std::uint32_t i = 0; i < n; ++i) side[i] = i;
@@ -44,11 +46,54 @@ std::vector<std::uint32_t> straight_sides(const Mesh& mesh, FacetId facet) {
 std::vector<BorderPoint> facet_border(const Mesh& mesh, const EdgePoints& edge_points, FacetId facet) {
   const auto corners = mesh.corners(facet);
   const auto edges = mesh.edges_of(facet);
-  const auto sides = straight_sides(mesh, facet);
+  const auto sides = straight_sides(mesh, mesh.corners(facet));
   std::vector<BorderPoint> border;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     border.push_back({corners[i], sides[i]});
     for (const EdgePoint& p : along(mesh, edge_points, edges[i], corners[i])) border.push_back({p.vertex, sides[i]});
+  }
+  return border;
+}
+
+namespace {
+
+// A piece's edge on the border of its whole.
+struct BorderEdge {
+  VertexId from;
+  MeshEdgeId edge;
+};
+
+// Those on the side of a whole that starts at `from`, in its direction.
+std::vector<BorderEdge> edges_on_side(const Mesh& mesh, WholeId whole, VertexId from, VertexId to) {
+  const auto welded = [&](VertexId v) { return mesh.weld[v.index()]; };
+  const std::array side{std::min(welded(from), welded(to)), std::max(welded(from), welded(to))};
+  std::map<VertexId, std::pair<BorderEdge, VertexId>> next;  // by where an edge starts: the edge, and where it ends
+  const auto& first = mesh.cuts.first_facet;
+  for (std::size_t f = first[whole.index()].index(); f < first[whole.index() + 1].index(); ++f) {
+    const auto corners = mesh.corners(FacetId(f));
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const MeshEdgeId e = mesh.edges_of(FacetId(f))[i];
+      const auto& ends = mesh.cuts.input_edge[e.index()];
+      if (std::array{std::min(ends[0], ends[1]), std::max(ends[0], ends[1])} != side) continue;
+      next[welded(corners[i])] = {{corners[i], e}, welded(corners[(i + 1) % corners.size()])};
+    }
+  }
+  std::vector<BorderEdge> result;
+  for (VertexId v = welded(from); v != welded(to); v = next.at(v).second) result.push_back(next.at(v).first);
+  return result;
+}
+
+}  // namespace
+
+std::vector<BorderPoint> whole_border(const Mesh& mesh, const EdgePoints& edge_points, WholeId whole) {
+  const auto corners = mesh.cuts.wholes[whole.index()];
+  const auto sides = straight_sides(mesh, corners);
+  std::vector<BorderPoint> border;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    for (const auto& [from, edge] : edges_on_side(mesh, whole, corners[i], corners[(i + 1) % corners.size()])) {
+      border.push_back({from, sides[i]});
+      for (const EdgePoint& p : along(mesh, edge_points, edge, from)) border.push_back({p.vertex, sides[i]});
+    }
   }
   return border;
 }
@@ -82,7 +127,7 @@ std::vector<ViewBorderPoint> view_border(const Mesh& mesh, const ProjectedScene&
   const auto polygon = scene.polygon(facet);
   const auto corners = mesh.corners(facet);
   const auto edges = mesh.edges_of(facet);
-  const auto sides = straight_sides(mesh, facet);
+  const auto sides = straight_sides(mesh, mesh.corners(facet));
   std::vector<ViewBorderPoint> border;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const ClippedCorner& corner = polygon[i];

@@ -29,10 +29,13 @@ class InnerVertices {
   virtual VertexId at(PointId p, std::optional<Point3> position) = 0;
 };
 
-// Per edge of the facet: a number that edges on one straight line share.
-[[nodiscard]] std::vector<std::uint32_t> straight_sides(const Mesh& mesh, FacetId facet);
+// Per edge of a convex polygon: a number that edges on one straight line share.
+[[nodiscard]] std::vector<std::uint32_t> straight_sides(const Mesh& mesh, std::span<const VertexId> corners);
 
 [[nodiscard]] std::vector<BorderPoint> facet_border(const Mesh& mesh, const EdgePoints& edge_points, FacetId facet);
+
+// The border of a facet before it was cut along common lines, with all points that its edges have now.
+[[nodiscard]] std::vector<BorderPoint> whole_border(const Mesh& mesh, const EdgePoints& edge_points, WholeId whole);
 
 // With splits_of_view_border: the sweep's splits along the view volume's border are points, too.
 [[nodiscard]] std::vector<ViewBorderPoint> view_border(const Mesh& mesh, const ProjectedScene& scene,

@@ -2,57 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "geometry/facet_plane.h"
 #include "reconstruct/constrained_delaunay.h"
 #include "reconstruct/edge_points.h"
 #include "reconstruct/facet_border.h"
 #include "reconstruct/outside_pieces.h"
+#include "reconstruct/rounded_facet.h"
 #include "reconstruct/surface_vertices.h"
 #include "reconstruct/visible_pieces.h"
 #include "sweep/image_points.h"
 
 namespace sightline {
 namespace {
-
-// The corners of the rounded polygon at which the facet itself turns. Rounding may bend a straight side, within the grid.
-std::vector<ImagePoint> turning_points(const Mesh& mesh, const ProjectedScene& scene, FacetId facet) {
-  const auto polygon = scene.polygon(facet);
-  const auto edges = mesh.edges_of(facet);
-  const std::vector<std::uint32_t> sides = straight_sides(mesh, facet);
-  const auto side_after = [&](const ClippedCorner& corner) -> std::optional<std::uint32_t> {
-    if (!corner.edge_after.valid()) return std::nullopt;
-    return sides[static_cast<std::size_t>(std::ranges::find(edges, corner.edge_after) - edges.begin())];
-  };
-  std::vector<ImagePoint> points;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const auto side = side_after(polygon[i]);
-    if (side && side == side_after(polygon[i == 0 ? polygon.size() - 1 : i - 1])) continue;
-    const ImagePoint& point = scene.point(polygon[i].point);
-    if (points.empty() || points.back() != point) points.push_back(point);
-  }
-  while (points.size() > 1 && points.front() == points.back()) points.pop_back();
-  return points;
-}
-
-// Whether the rounded polygon is still convex and turns as the facet does. Where it is not, the facet is narrower than
-// the grid.
-bool is_proper(const Mesh& mesh, const ProjectedScene& scene, FacetId facet) {
-  const Sign turn = scene.facing[facet.index()] == Facing::back ? -1 : 1;
-  const std::vector<ImagePoint> p = turning_points(mesh, scene, facet);
-  bool turns = false;
-  int descents = 0;  // how often the border begins to run down the sweep order: once around a convex polygon
-  for (std::size_t i = 0; i < p.size() && p.size() > 2; ++i) {
-    const ImagePoint& b = p[(i + 1) % p.size()];
-    const ImagePoint& c = p[(i + 2) % p.size()];
-    const Sign o = orientation(p[i], b, c) * turn;
-    if (o < 0) return false;
-    turns = turns || o > 0;
-    descents += sweeps_before(b, p[i]) && sweeps_before(b, c) ? 1 : 0;
-  }
-  return turns && descents == 1;
-}
 
 class Labeller {
  public:
@@ -114,7 +76,37 @@ class Labeller {
       if (add_partly_visible(begin, end, visible)) return;
       seen = is_mostly_visible(begin, end);
     }
-    for (std::size_t f = begin; f < end; ++f) add_uniform(FacetId(f), seen);
+    for (std::size_t f = begin; f < end; f = end_of_whole(f)) add_uniform_whole(f, seen);
+  }
+
+  // One past the last piece of the whole that a facet was cut from.
+  [[nodiscard]] std::size_t end_of_whole(std::size_t f) const {
+    return mesh_.is_cut() ? mesh_.cuts.first_facet[mesh_.cuts.whole_of[f].index() + 1].index() : f + 1;
+  }
+
+  // Without the lines along which it was cut where no piece needs them.
+  void add_uniform_whole(std::size_t first, bool seen) {
+    const std::size_t end = end_of_whole(first);
+    bool alike = true;
+    for (std::size_t f = first; f < end; ++f) {
+      alike = alike && scene_.status[f] == scene_.status[first] && !is_clipped(FacetId(f));
+    }
+    if (end - first > 1 && alike) {
+      const bool seen_in_view = seen && is_in_view(first);
+      const auto border = whole_border(mesh_, edge_points_, mesh_.cuts.whole_of[first]);
+      add_convex(FacetId(first), border, uniform_label(FacetId(first), seen_in_view), seen_in_view);
+      return;
+    }
+    for (std::size_t f = first; f < end; ++f) add_uniform(FacetId(f), seen && is_in_view(f));
+  }
+
+  [[nodiscard]] bool is_in_view(std::size_t f) const { return scene_.status[f] == Status::in_view; }
+
+  // Of a facet whose part in view is all seen or not at all.
+  [[nodiscard]] Label uniform_label(FacetId f, bool seen) const {
+    if (scene_.facing[f.index()] != Facing::front) return Label::back_facing;
+    if (seen) return Label::visible;
+    return scene_.status[f.index()] == Status::in_view ? Label::hidden : Label::out_of_view;
   }
 
   // Of the surface's area in view. Precondition: visible_segments_of was called for it last.
@@ -168,8 +160,7 @@ class Labeller {
   void add_uniform(FacetId f, bool seen) {
     const bool front = scene_.facing[f.index()] == Facing::front;
     const bool in_view = scene_.status[f.index()] == Status::in_view;
-    const Label hidden = front ? (in_view ? Label::hidden : Label::out_of_view) : Label::back_facing;
-    const Label inside = seen && front ? Label::visible : hidden;
+    const Label inside = uniform_label(f, seen);
     if (!in_view || !is_clipped(f) || (!front && !seen)) {
       add_convex(f, facet_border(mesh_, edge_points_, f), inside, seen);
       return;

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <random>
 
-#include "geometry/common_lines.h"
 #include "tests/oracle/judge.h"
 
 using namespace sightline;
@@ -174,10 +173,10 @@ TEST_CASE("faces that pass through each other, cut or not: nothing is thrown, al
   for (int i = 0; i < 150; ++i) {
     CAPTURE(i);
     const Mesh whole = random_soup(random, 4 + i % 40, i % 2 == 0 ? 3 : 1000);
-    const Mesh cut = cut_along_common_lines(whole, find_contacts(whole));
-    crossing += cut.cuts.crossing.size();
+    const Mesh pieces = oracle::cut(whole);
+    crossing += pieces.cuts.crossing.size();
     const double fov = i % 3 == 0 ? 10 : 60;
-    for (const Mesh& mesh : {whole, cut}) {
+    for (const Mesh& mesh : {whole, pieces}) {
       const View result = analyze(mesh, perspective_camera("soup", view, fov), i % 5 == 0 ? Sides::front : Sides::both);
       const auto complaints = oracle::complaints_of_stages(mesh, result);
       CHECK_MESSAGE(complaints.empty(), oracle::joined(complaints));

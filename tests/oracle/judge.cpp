@@ -4,6 +4,8 @@
 #include <cstdlib>
 #include <sstream>
 
+#include "geometry/common_lines.h"
+
 namespace sightline::oracle {
 namespace {
 
@@ -52,6 +54,8 @@ std::vector<Point3> used_vertices(RandomScene& scene) {
 }
 
 }  // namespace
+
+Mesh cut(const Mesh& mesh) { return cut_along_common_lines(mesh, find_contacts(mesh)); }
 
 Complaints complaints_of_stages(const Mesh& mesh, const View& view) {
   Complaints complaints;

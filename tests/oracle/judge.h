@@ -13,6 +13,9 @@ namespace sightline::oracle {
 
 using Complaints = std::vector<std::string>;
 
+// Cut along the common lines of its facets.
+[[nodiscard]] Mesh cut(const Mesh& mesh);
+
 // What the checkers of all stages say, each line with the stage in front.
 [[nodiscard]] Complaints complaints_of_stages(const Mesh& mesh, const View& view);
 
