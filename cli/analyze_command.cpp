@@ -1,13 +1,16 @@
 #include "cli/analyze_command.h"
 
+#include <new>
+#include <optional>
 #include <vector>
 
 #include "cli/faces_table.h"
 #include "cli/labelled_obj.h"
 #include "cli/labelled_ply.h"
-#include "cli/output_folder.h"
+#include "cli/memory_limit.h"
 #include "cli/report.h"
 #include "cli/resources.h"
+#include "cli/result_folders.h"
 #include "cli/scene_file.h"
 #include "cli/segments_table.h"
 #include "cli/summary.h"
@@ -27,34 +30,34 @@ Scene scene_of(const AnalyzeOptions& options) {
   return scene;
 }
 
-void write_results(OutputFolder& folder, const Mesh& mesh, const View& view, const std::vector<FaceMeasures>& faces) {
+void write_results(ResultFolders& results, const Mesh& mesh, const View& view, const std::vector<FaceMeasures>& faces) {
+  const std::string& name = view.scene.camera.name;
   const std::vector<Point2> places = window_points(view);
-  folder.write("faces.csv", faces_table(faces));
-  folder.write("labelled.ply", labelled_ply(view.labelled));
-  folder.write("labelled.obj", labelled_obj(view.labelled));
-  folder.write("view.svg", view_svg(mesh, view, places));
-  folder.write("segments.csv", segments_table(mesh, view, places));
+  results.write(name, "faces.csv", faces_table(faces));
+  results.write(name, "labelled.ply", labelled_ply(view.labelled));
+  results.write(name, "labelled.obj", labelled_obj(view.labelled));
+  results.write(name, "view.svg", view_svg(mesh, view, places));
+  results.write(name, "segments.csv", segments_table(mesh, view, places));
 }
 
 // The report comes last: it says how long writing the others took.
 Report written_report(const Scene& scene, const MeshInput& input, const ViewAnalysis& analysis,
-                      const std::string& output) {
+                      ResultFolders& results) {
   const Stopwatch watch;
-  OutputFolder folder(output, analysis.view.scene.camera.name);
   const std::vector<FaceMeasures> faces = measure_faces(input.mesh, analysis.view);
-  write_results(folder, input.mesh, analysis.view, faces);
+  write_results(results, input.mesh, analysis.view, faces);
   const Report report = make_report(scene, input, analysis, faces, watch.seconds());
-  folder.write("report.json", report_text(report));
-  folder.publish();
+  results.write(analysis.view.scene.camera.name, "report.json", report_text(report));
   return report;
 }
 
-Report camera_report(const Scene& scene, const MeshInput& input, const Camera& camera, const AnalyzeOptions& options,
+// results: where the files go, if anywhere.
+Report camera_report(const Scene& scene, const MeshInput& input, const Camera& camera, ResultFolders* results,
                      Progress& progress) {
   const ViewAnalysis analysis = analyze_view(input, camera, scene.sides, progress);
-  if (!options.output) return make_report(scene, input, analysis, measure_faces(input.mesh, analysis.view), 0);
+  if (results == nullptr) return make_report(scene, input, analysis, measure_faces(input.mesh, analysis.view), 0);
   progress.stage(camera.name + ": write the results");
-  return written_report(scene, input, analysis, *options.output);
+  return written_report(scene, input, analysis, *results);
 }
 
 std::string standard_output(const std::vector<Report>& reports, const AnalyzeOptions& options) {
@@ -62,17 +65,29 @@ std::string standard_output(const std::vector<Report>& reports, const AnalyzeOpt
   return options.quiet ? "" : summary(reports, *options.output);
 }
 
+std::string analyzed(const AnalyzeOptions& options) {
+  Progress progress(!options.quiet && Progress::watched());
+  const Scene scene = scene_of(options);
+  const MeshInput input = read_mesh(scene.mesh_file, options.max_memory, progress);
+  std::optional<ResultFolders> results;
+  if (options.output) results.emplace(*options.output);
+  std::vector<Report> reports;
+  for (const Camera& camera : scene.cameras) {
+    reports.push_back(camera_report(scene, input, camera, results ? &*results : nullptr, progress));
+  }
+  if (results) results->publish();
+  return standard_output(reports, options);
+}
+
 }  // namespace
 
 std::string analyze_command(const AnalyzeOptions& options) {
-  Progress progress(!options.quiet && Progress::watched());
-  const Scene scene = scene_of(options);
-  const MeshInput input = read_mesh(scene.mesh_file, progress);
-  std::vector<Report> reports;
-  for (const Camera& camera : scene.cameras) {
-    reports.push_back(camera_report(scene, input, camera, options, progress));
+  hold_to(options.max_memory);
+  try {
+    return analyzed(options);
+  } catch (const std::bad_alloc&) {
+    throw MemoryError(peak_memory_bytes(), options.max_memory);
   }
-  return standard_output(reports, options);
 }
 
 }  // namespace sightline

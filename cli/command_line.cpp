@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "cli/memory_limit.h"
 #include "cli/scene_file.h"
 
 namespace sightline {
@@ -16,7 +17,7 @@ namespace {
 
 // The options as texts: numbers are parsed here and not by CLI11, which goes through the locale.
 struct AnalyzeTexts {
-  std::string input, output, sides, eye, target, up, fov_y, aspect;
+  std::string input, output, sides, eye, target, up, fov_y, aspect, max_memory;
   bool json = false;
   bool quiet = false;
 };
@@ -71,6 +72,15 @@ void refuse_camera(const AnalyzeTexts& texts) {
   }
 }
 
+std::uint64_t memory_limit(const std::string& text) {
+  if (text.empty()) return default_memory_limit();
+  const auto bytes = parse_bytes(text);
+  if (!bytes) throw CommandLineError(fmt::format("--max-memory: '{}' is not a number of bytes, like 800M or 4G", text));
+  if (*bytes < smallest_memory_limit)
+    throw CommandLineError(fmt::format("--max-memory: {} is less than {}", text, bytes_text(smallest_memory_limit)));
+  return *bytes;
+}
+
 AnalyzeOptions options_of(const AnalyzeTexts& texts) {
   AnalyzeOptions options;
   options.input = texts.input;
@@ -81,6 +91,7 @@ AnalyzeOptions options_of(const AnalyzeTexts& texts) {
     options.sides = sides_policy(texts.sides);
     if (!options.sides) throw CommandLineError(fmt::format("--sides: '{}' is not auto, front or both", texts.sides));
   }
+  options.max_memory = memory_limit(texts.max_memory);
   options.json = texts.json;
   options.quiet = texts.quiet;
   if (options.input_is_scene()) {
@@ -103,6 +114,8 @@ void declare_analyze(CLI::App& analyze, AnalyzeTexts& texts) {
   analyze.add_option("--sides", texts.sides, "which sides of faces count (auto)")->type_name("auto|front|both");
   analyze.add_option("-o,--output", texts.output, "folder for the results, one folder in it per camera")
       ->type_name("DIR");
+  analyze.add_option("--max-memory", texts.max_memory, "stop where more is needed (3/4 of the machine's memory)")
+      ->type_name("BYTES[K|M|G|T]");
   analyze.add_flag("--json", texts.json, "print the report on standard output");
   analyze.add_flag("--quiet", texts.quiet, "neither progress nor summary");
 }

@@ -4,6 +4,7 @@
 // Errors: CommandLineError, one line.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <variant>
@@ -22,6 +23,7 @@ struct AnalyzeOptions {
   std::optional<std::string> output;  // the folder for the results; none: no files, which needs json
   std::optional<SidesPolicy> sides;   // instead of the scene file's
   std::optional<Camera> camera;       // set where the input is a mesh
+  std::uint64_t max_memory = 0;       // in bytes
   bool json = false;
   bool quiet = false;
 

@@ -1,5 +1,6 @@
 // The command `sightline`. Exit codes: 0 done, 1 the input is wrong, 2 the command line is wrong, 3 internal error.
 
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -7,7 +8,7 @@
 
 #include "cli/analyze_command.h"
 #include "cli/command_line.h"
-#include "cli/output_folder.h"
+#include "cli/durable_file.h"
 
 namespace {
 
@@ -40,6 +41,7 @@ int run(int argc, const char* const* argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file beyond the limit of the user's shell is an error of writing, not a crash
   try {
     return run(argc, argv);
   } catch (const sightline::CommandLineError& error) {

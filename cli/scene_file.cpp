@@ -2,12 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <optional>
-#include <sstream>
+#include <set>
 
 #include "cli/camera_table.h"
 #include "cli/toml_reader.h"
@@ -17,7 +18,22 @@ namespace sightline {
 
 namespace {
 
+constexpr std::size_t longest_file = std::size_t{64} << 20;
+constexpr std::ptrdiff_t most_dots = 1000;
+
+// The parser recurses into dotted keys, as deep as they go: a.a.a and so on for 10^5 times would be the end of its
+// stack. No scene has reason for a line with so many dots, wherever they stand.
+void refuse_deep_keys(std::string_view text, const std::string& path) {
+  for (std::size_t line = 1; !text.empty(); ++line) {
+    const std::size_t end = std::min(text.find('\n'), text.size() - 1) + 1;
+    if (std::ranges::count(text.substr(0, end), '.') > most_dots)
+      throw InputError(path, line, fmt::format("more than {} dots in one line; divide it", most_dots));
+    text.remove_prefix(end);
+  }
+}
+
 toml::table parsed(std::string_view text, const std::string& path) {
+  refuse_deep_keys(text, path);
   try {
     return toml::parse(text, path);
   } catch (const toml::parse_error& error) {
@@ -40,13 +56,6 @@ SidesPolicy read_sides(const TomlReader& mesh) {
   return *policy;
 }
 
-void check_distinct(const std::vector<Camera>& cameras, const TomlReader& last) {
-  for (std::size_t i = 0; i + 1 < cameras.size(); ++i) {
-    if (cameras[i].name != cameras.back().name) continue;
-    last.fail("name", fmt::format("a second camera is called \"{}\"; names must be distinct", cameras[i].name));
-  }
-}
-
 // One element of [[camera]].
 TomlReader camera_table(const toml::node& element, const std::string& path) {
   const std::size_t line = element.source().begin.line;
@@ -62,10 +71,13 @@ std::vector<Camera> read_cameras(const toml::table& root, const std::string& pat
   if (elements == nullptr) throw InputError(path, line, "'camera' must be an array of tables: [[camera]]");
   if (elements->empty()) throw InputError(path, line, "there is no [[camera]]; add at least one");
   std::vector<Camera> cameras;
+  std::set<std::string> names;
   for (const toml::node& element : *elements) {
     const TomlReader table = camera_table(element, path);
     cameras.push_back(read_camera(table));
-    check_distinct(cameras, table);
+    const std::string& name = cameras.back().name;
+    if (!names.insert(name).second)
+      table.fail("name", fmt::format("a second camera is called \"{}\"; names must be distinct", name));
   }
   return cameras;
 }
@@ -107,11 +119,16 @@ Scene read_scene_file(const std::string& path) {
   };
   if (std::filesystem::is_directory(path)) throw unreadable(EISDIR);
   errno = 0;
-  const std::ifstream file(path, std::ios::binary);
+  std::ifstream file(path, std::ios::binary);
   if (!file) throw unreadable(errno);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return parse_scene(text.str(), path);
+  std::string text;
+  for (std::string chunk(1 << 16, '\0'); file.read(chunk.data(), 1 << 16), file.gcount() > 0;) {
+    text.append(chunk, 0, static_cast<std::size_t>(file.gcount()));
+    if (text.size() > longest_file)
+      throw InputError(path, 0, fmt::format("a scene file has at most {} bytes", longest_file));
+  }
+  if (file.bad()) throw unreadable(EIO);
+  return parse_scene(text, path);
 }
 
 }  // namespace sightline

@@ -1,9 +1,9 @@
 // Scene files (TOML): which mesh, and the cameras. The README describes the format.
 //
 // In:  the path of a scene file. Out: a Scene; paths in the file are relative to the file's folder.
-// Errors: InputError with file and line: no such file, TOML that does not parse, a key that is unknown, missing, of the
-// wrong type
-//         or twice the same camera name, a camera that defines no view.
+// Errors: InputError with file and line: no such file, more than 64 MiB, TOML that does not parse, a line with more than
+// 1000 dots, a key that is unknown, missing or of the wrong type, twice the same camera name, a camera that defines no
+// view.
 #pragma once
 
 #include <string>

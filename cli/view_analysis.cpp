@@ -1,5 +1,6 @@
 #include "cli/view_analysis.h"
 
+#include "cli/memory_estimate.h"
 #include "cli/resources.h"
 #include "geometry/common_lines.h"
 #include "geometry/obj_reader.h"
@@ -25,10 +26,11 @@ VisibleSegments watched_sweep(const Mesh& mesh, const ProjectedScene& scene, Pro
 
 }  // namespace
 
-MeshInput read_mesh(const std::string& file, Progress& progress) {
+MeshInput read_mesh(const std::string& file, std::uint64_t max_memory, Progress& progress) {
   MeshInput input;
+  input.max_memory = max_memory;
   progress.stage("read " + file);
-  ObjFile obj = timed(input.read_seconds, [&] { return read_obj(std::filesystem::path(file)); });
+  ObjFile obj = timed(input.read_seconds, [&] { return read_obj(std::filesystem::path(file), {max_memory}); });
   input.mesh = std::move(obj.mesh);
   input.warnings = std::move(obj.warnings);
   progress.stage("look for faces that pass through each other");
@@ -46,6 +48,7 @@ ViewAnalysis analyze_view(const MeshInput& input, const Camera& camera, SidesPol
   progress.stage(camera.name + ": project");
   analysis.sides = timed(seconds.sides, [&] { return decide_sides(mesh, input.contacts, camera, policy); });
   view.scene = timed(seconds.project, [&] { return project(mesh, camera, analysis.sides.sides); });
+  require_memory_for_view(mesh, view.scene, input.max_memory);
   progress.stage(camera.name + ": sweep");
   view.segments = timed(seconds.sweep, [&] { return watched_sweep(mesh, view.scene, progress); });
   progress.stage(camera.name + ": reconstruct the visible polygons");

@@ -1,6 +1,7 @@
 // One mesh and one camera through every stage, each of them timed.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -15,13 +16,14 @@ struct MeshInput {
   Mesh mesh;                          // cut along the common lines of its facets
   std::vector<std::string> warnings;  // of the reader
   MeshContacts contacts;              // before it was cut
+  std::uint64_t max_memory = 0;       // in bytes
   double read_seconds = 0;
   double contacts_seconds = 0;
   double cut_seconds = 0;
 };
 
 // Errors: InputError (see read_obj).
-[[nodiscard]] MeshInput read_mesh(const std::string& file, Progress& progress);
+[[nodiscard]] MeshInput read_mesh(const std::string& file, std::uint64_t max_memory, Progress& progress);
 
 struct StageSeconds {
   double sides = 0;
@@ -38,6 +40,7 @@ struct ViewAnalysis {
   StageSeconds seconds;
 };
 
+// Errors: MemoryError, before the sweep.
 [[nodiscard]] ViewAnalysis analyze_view(const MeshInput& input, const Camera& camera, SidesPolicy policy,
                                         Progress& progress);
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <fstream>
+#include <memory>
 #include <span>
 
 #include "geometry/obj_statements.h"
@@ -10,22 +11,18 @@ namespace sightline {
 
 namespace {
 
-std::string text_of(const std::filesystem::path& file) {
+// The bytes of a file, in order.
+ByteSource bytes_of(const std::filesystem::path& file) {
   std::error_code unused;
   if (std::filesystem::is_directory(file, unused))
     throw InputError(file.string(), 0, "is a directory, not an OBJ file");
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw InputError(file.string(), 0, "cannot be opened");
-  constexpr std::size_t chunk = std::size_t{1} << 20;
-  std::string text;
-  while (in) {
-    const std::size_t size = text.size();
-    text.resize(size + chunk);
-    in.read(text.data() + size, chunk);
-    text.resize(size + static_cast<std::size_t>(in.gcount()));
-  }
-  if (in.bad()) throw InputError(file.string(), 0, "cannot be read to its end");
-  return text;
+  const auto in = std::make_shared<std::ifstream>(file, std::ios::binary);
+  if (!*in) throw InputError(file.string(), 0, "cannot be opened");
+  return [in, name = file.string()](std::span<char> to) {
+    in->read(to.data(), static_cast<std::streamsize>(to.size()));
+    if (in->bad()) throw InputError(name, 0, "cannot be read to its end");
+    return static_cast<std::size_t>(in->gcount());
+  };
 }
 
 // "3, 7, 12", at most ten of them.
@@ -67,19 +64,26 @@ void warn_about_defects(const Mesh& mesh, const std::string& name, std::vector<s
   }
 }
 
-}  // namespace
-
-ObjFile read_obj(std::string_view text, const std::string& file_name) {
-  ObjStatements statements = parse_obj_statements(text, file_name);
+ObjFile read_from(ObjScanner& scanner, const std::string& name, const ReadLimits& limits) {
+  ObjStatements statements = parse_obj_statements(scanner, name, limits);
   ObjFile result;
-  warn_about_statements(statements, file_name, result.warnings);
+  warn_about_statements(statements, name, result.warnings);
   result.mesh = build_mesh(std::move(statements.vertices), std::move(statements.faces));
-  warn_about_defects(result.mesh, file_name, result.warnings);
-  if (result.mesh.facet_count() == 0)
-    result.warnings.push_back(file_name + ": the scene is empty: no face is left to draw");
+  warn_about_defects(result.mesh, name, result.warnings);
+  if (result.mesh.facet_count() == 0) result.warnings.push_back(name + ": the scene is empty: no face is left to draw");
   return result;
 }
 
-ObjFile read_obj(const std::filesystem::path& file) { return read_obj(text_of(file), file.string()); }
+}  // namespace
+
+ObjFile read_obj(const std::filesystem::path& file, const ReadLimits& limits) {
+  ObjScanner scanner(bytes_of(file));
+  return read_from(scanner, file.string(), limits);
+}
+
+ObjFile read_obj(std::string_view text, const std::string& file_name, const ReadLimits& limits) {
+  ObjScanner scanner(text);
+  return read_from(scanner, file_name, limits);
+}
 
 }  // namespace sightline

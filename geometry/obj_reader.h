@@ -7,7 +7,9 @@
 //
 // What is refused (InputError with file and line): an index that is no integer, is 0, or names no vertex; a coordinate
 // that is missing, no decimal number (a hexadecimal one is none), not finite, or beyond the range of double; UTF-16
-// text; a file in which no statement has an OBJ keyword; a file that cannot be read.
+// text; a file in which no statement has an OBJ keyword; a file that cannot be read; a word of more than 2^20 bytes, a
+// face of more than 20 000 corners (see most_corners), more statements than the limit on memory allows. Lines may be of
+// any length: the file is read in pieces of 1 MiB, and what is held of it are its vertices and faces.
 //
 // What is skipped, counted and listed in a warning: faces with a Defect (see mesh.h); statements with a keyword that is
 // none, or that describes geometry not read here (curves, surfaces, call, fo), so also binary or NUL bytes outside v
@@ -37,6 +39,7 @@
 
 #include "geometry/errors.h"
 #include "geometry/mesh.h"
+#include "geometry/obj_statements.h"
 
 namespace sightline {
 
@@ -45,9 +48,9 @@ struct ObjFile {
   std::vector<std::string> warnings;  // "FILE: what", one line each
 };
 
-[[nodiscard]] ObjFile read_obj(const std::filesystem::path& file);
+[[nodiscard]] ObjFile read_obj(const std::filesystem::path& file, const ReadLimits& limits = {});
 
 // The same from text in memory; file_name is for messages.
-[[nodiscard]] ObjFile read_obj(std::string_view text, const std::string& file_name);
+[[nodiscard]] ObjFile read_obj(std::string_view text, const std::string& file_name, const ReadLimits& limits = {});
 
 }  // namespace sightline

@@ -47,9 +47,38 @@ bool looks_not_finite(std::string_view number) {
 
 }  // namespace
 
+ObjScanner::ObjScanner(ByteSource source)
+    : source_(std::move(source)), buffer_(2 * longest_token), here_(buffer_.data()), end_(buffer_.data()) {}
+
+// Moves what is still needed to the front of the buffer: the token that is being read, and what follows.
+void ObjScanner::make_room() {
+  const char* const needed = token_ != nullptr ? token_ : here_;
+  if (static_cast<std::size_t>(here_ - needed) > longest_token) (void)token_until_here();
+  const auto before_here = here_ - needed;
+  const auto size = end_ - needed;
+  std::copy(needed, end_, buffer_.data());
+  here_ = buffer_.data() + before_here;
+  end_ = buffer_.data() + size;
+  if (token_ != nullptr) token_ = buffer_.data();
+}
+
+bool ObjScanner::refill(std::size_t count) {
+  if (!source_) return false;
+  make_room();
+  const char* const buffer_end = buffer_.data() + buffer_.size();
+  while (source_ && static_cast<std::size_t>(end_ - here_) < count) {
+    const auto room = std::span(buffer_).last(static_cast<std::size_t>(buffer_end - end_));
+    const std::size_t size = source_(room);
+    end_ += size;
+    if (size == 0) source_ = nullptr;
+  }
+  return static_cast<std::size_t>(end_ - here_) >= count;
+}
+
 // After a backslash that ends its line (or the text): its length with the line end, else 0.
-std::size_t ObjScanner::continuation_length() const {
+std::size_t ObjScanner::continuation_length() {
   if (*here_ != '\\') return 0;
+  (void)has(3);
   const auto rest = static_cast<std::size_t>(end_ - here_);
   if (rest == 1) return 1;
   if (here_[1] == '\n') return 2;
@@ -58,7 +87,7 @@ std::size_t ObjScanner::continuation_length() const {
 }
 
 void ObjScanner::skip_blanks() {
-  while (here_ != end_) {
+  while (has(1)) {
     if (is_blank(*here_)) {
       ++here_;
     } else if (const std::size_t length = continuation_length(); length > 0) {
@@ -71,19 +100,38 @@ void ObjScanner::skip_blanks() {
 }
 
 bool ObjScanner::skip_line_end() {
-  if (here_ == end_ || !is_line_end(*here_)) return false;
-  const bool two = *here_ == '\r' && end_ - here_ > 1 && here_[1] == '\n';
+  if (!has(1) || !is_line_end(*here_)) return false;
+  const bool two = *here_ == '\r' && has(2) && here_[1] == '\n';
   here_ += two ? 2 : 1;
   ++line_;
   return true;
 }
 
+void ObjScanner::skip_comment() {
+  while (has(1) && !is_line_end(*here_)) ++here_;
+}
+
+bool ObjScanner::skip(std::string_view bytes) {
+  if (!has(bytes.size()) || !std::equal(bytes.begin(), bytes.end(), here_)) return false;
+  here_ += bytes.size();
+  return true;
+}
+
+std::string_view ObjScanner::token_until_here() {
+  const std::string_view token(token_, static_cast<std::size_t>(here_ - token_));
+  token_ = nullptr;
+  if (token.size() > longest_token) {
+    throw TokenTooLong("a word of more than " + std::to_string(longest_token) + " bytes: " + quoted(token));
+  }
+  return token;
+}
+
 std::string_view ObjScanner::next_token() {
   skip_blanks();
-  if (here_ != end_ && *here_ == '#') here_ = std::find_if(here_, end_, is_line_end);
-  const char* const start = here_;
-  while (here_ != end_ && !is_blank(*here_) && !is_line_end(*here_) && continuation_length() == 0) ++here_;
-  return {start, static_cast<std::size_t>(here_ - start)};
+  if (has(1) && *here_ == '#') skip_comment();
+  token_ = here_;
+  while (has(1) && !is_blank(*here_) && !is_line_end(*here_) && continuation_length() == 0) ++here_;
+  return token_until_here();
 }
 
 std::string_view ObjScanner::next_statement() {

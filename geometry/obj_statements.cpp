@@ -19,12 +19,14 @@ constexpr std::array passed_over{"vt",  "vn",       "vp",       "p",          "l
 
 class StatementParser {
  public:
-  StatementParser(std::string_view text, const std::string& file_name) : scanner_(text), file_name_(file_name) {}
+  StatementParser(ObjScanner& scanner, const std::string& file_name, const ReadLimits& limits)
+      : scanner_(scanner), file_name_(file_name), limits_(limits) {}
 
   ObjStatements parse();
 
  private:
-  // Only the last part of a file can show where an index that is too large now leads.
+  // Only the last part of a file can show where an index that is too large now leads. What is noted are the highest so
+  // far: of several that lead nowhere, the first is one of these.
   struct ForwardReference {
     std::int64_t index;
     std::size_t line;
@@ -41,9 +43,11 @@ class StatementParser {
   void check_attributes(std::string_view token, std::string_view attributes);
   void note_unknown(std::string_view keyword);
   void check_forward_references() const;
+  void check_memory() const;
 
-  ObjScanner scanner_;
+  ObjScanner& scanner_;
   const std::string& file_name_;
+  const ReadLimits limits_;
   ObjStatements result_;
   std::vector<VertexId> corners_;
   std::vector<ForwardReference> forward_;
@@ -56,6 +60,7 @@ class StatementParser {
 ObjStatements StatementParser::parse() {
   for (auto keyword = scanner_.next_statement(); !keyword.empty(); keyword = scanner_.next_statement()) {
     parse_statement(keyword);
+    check_memory();
   }
   if (known_count_ == 0 && result_.unknown_count > 0) {
     throw InputError(file_name_, result_.unknown_line,
@@ -104,6 +109,8 @@ void StatementParser::parse_face() {
   corners_.clear();
   attributes_missing_ = false;
   for (auto token = scanner_.next_token(); !token.empty(); token = scanner_.next_token()) {
+    if (corners_.size() == most_corners)
+      fail("a face of more than " + std::to_string(most_corners) + " corners; divide it");
     corners_.push_back(parse_corner(token));
   }
   if (attributes_missing_) result_.faces_with_missing_attributes.emplace_back(result_.faces.size());
@@ -125,7 +132,8 @@ VertexId StatementParser::resolve(std::int64_t index, std::string_view token) {
   if (index == 0) fail("corner " + quoted(token) + ": vertices count from 1");
   if (index < -count || index > std::numeric_limits<std::uint32_t>::max())
     fail("corner " + quoted(token) + " names no vertex");
-  if (index > count) forward_.push_back({index, scanner_.line()});
+  if (index > count && (forward_.empty() || index > forward_.back().index))
+    forward_.push_back({index, scanner_.line()});
   return VertexId(static_cast<std::size_t>(index < 0 ? count + index : index - 1));
 }
 
@@ -144,6 +152,14 @@ void StatementParser::check_attributes(std::string_view token, std::string_view 
   attributes_missing_ = attributes_missing_ || !texture || !normal;
 }
 
+void StatementParser::check_memory() const {
+  const PolygonList& faces = result_.faces;
+  const std::uint64_t needed = memory_for_mesh(result_.vertices.size(), faces.corners.size(), faces.size());
+  if (needed <= limits_.memory) return;
+  fail("the mesh up to here needs about " + std::to_string(needed >> 20) + " MiB of memory, and the limit is " +
+       std::to_string(limits_.memory >> 20) + " MiB; raise it with --max-memory");
+}
+
 void StatementParser::check_forward_references() const {
   const auto count = static_cast<std::int64_t>(result_.vertices.size());
   for (const auto& [index, line] : forward_) {
@@ -153,14 +169,26 @@ void StatementParser::check_forward_references() const {
   }
 }
 
+[[noreturn]] void refuse_utf16(const std::string& file_name, const std::string& endian) {
+  throw InputError(file_name, 1, "the text is UTF-16 (" + endian + " endian); save it as UTF-8");
+}
+
 }  // namespace
 
-ObjStatements parse_obj_statements(std::string_view text, const std::string& file_name) {
-  if (text.starts_with("\xFF\xFE"))
-    throw InputError(file_name, 1, "the text is UTF-16 (little endian); save it as UTF-8");
-  if (text.starts_with("\xFE\xFF")) throw InputError(file_name, 1, "the text is UTF-16 (big endian); save it as UTF-8");
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-  return StatementParser(text, file_name).parse();
+// Bytes of everything else, and per vertex, corner and face. To be measured.
+std::uint64_t memory_for_mesh(std::uint64_t vertices, std::uint64_t corners, std::uint64_t faces) {
+  return (std::uint64_t{20} << 20) + 96 * vertices + 96 * corners + 200 * faces;
+}
+
+ObjStatements parse_obj_statements(ObjScanner& scanner, const std::string& file_name, const ReadLimits& limits) {
+  if (scanner.skip("\xFF\xFE")) refuse_utf16(file_name, "little");
+  if (scanner.skip("\xFE\xFF")) refuse_utf16(file_name, "big");
+  (void)scanner.skip("\xEF\xBB\xBF");
+  try {
+    return StatementParser(scanner, file_name, limits).parse();
+  } catch (const TokenTooLong& error) {
+    throw InputError(file_name, scanner.line(), error.what());
+  }
 }
 
 }  // namespace sightline

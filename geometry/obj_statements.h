@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "geometry/mesh.h"
+#include "geometry/obj_scanner.h"
 
 namespace sightline {
 
@@ -19,7 +21,20 @@ struct ObjStatements {
   std::string unknown_keyword;                        // and its keyword, quoted
 };
 
-// Throws InputError.
-[[nodiscard]] ObjStatements parse_obj_statements(std::string_view text, const std::string& file_name);
+// A file that needs more is refused at the statement where that shows.
+struct ReadLimits {
+  std::uint64_t memory = std::numeric_limits<std::uint64_t>::max();  // in bytes; see memory_for_mesh
+};
+
+// No face has more corners: one that is not convex is triangulated in O(k^2).
+constexpr std::size_t most_corners = 20000;
+
+// What it takes to hold the statements, to build a mesh of them, and to look for facets that meet. Measured, an upper
+// bound: obj_statements.cpp says how.
+[[nodiscard]] std::uint64_t memory_for_mesh(std::uint64_t vertices, std::uint64_t corners, std::uint64_t faces);
+
+// Takes the text from the scanner, which is at its beginning. Throws InputError.
+[[nodiscard]] ObjStatements parse_obj_statements(ObjScanner& scanner, const std::string& file_name,
+                                                 const ReadLimits& limits);
 
 }  // namespace sightline

@@ -1,0 +1,43 @@
+// Folders of results that appear together: PARENT/NAME for each name, made in a staging folder and put in place when all
+// are there and on the disk.
+//
+// Holds: whatever ends the run before publish() is done (an error, a full disk, a signal, a crash), every PARENT/NAME is
+// byte for byte what it was; afterwards every one is the new one. A folder that exists is exchanged with the new one in
+// one step where the file system can do that (see folder_replacement.h). publish() is one such step per name, and no
+// catchable signal comes between: only a kill or a power cut within these microseconds leaves some folders new and
+// others old, each of them whole.
+// Files in PARENT/NAME that are not written stay (see foreign_files.h), and so does everything else in PARENT.
+// A PARENT/NAME that is no folder, or a link to one, is refused.
+// Errors: OutputError, one line with the path and the cause.
+#pragma once
+
+#include <filesystem>
+#include <set>
+#include <string>
+#include <string_view>
+
+#include "cli/folder_replacement.h"
+#include "cli/staging_folder.h"
+
+namespace sightline {
+
+class ResultFolders {
+ public:
+  // parent is made where it is missing.
+  explicit ResultFolders(const std::filesystem::path& parent) : parent_(parent), staging_(parent) {}
+
+  // Makes the folder at its first file. Returns when the file is on the disk.
+  void write(const std::string& name, const std::string& file, std::string_view content);
+
+  void publish();
+
+ private:
+  [[nodiscard]] FolderReplacement replacement(const std::string& name) const;
+  void make_folder(const std::string& name);
+
+  std::filesystem::path parent_;
+  StagingFolder staging_;
+  std::set<std::string> made_;  // the names whose folders have been made
+};
+
+}  // namespace sightline
