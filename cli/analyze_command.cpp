@@ -51,7 +51,7 @@ Report written_report(const Scene& scene, const MeshInput& input, const ViewAnal
 
 Report camera_report(const Scene& scene, const MeshInput& input, const Camera& camera, const AnalyzeOptions& options,
                      Progress& progress) {
-  const ViewAnalysis analysis = analyze_view(input, camera, scene.sides, progress);
+  const ViewAnalysis analysis = analyze_view(input, camera, scene.sides, options.precision, progress);
   if (!options.output) return make_report(scene, input, analysis, measure_faces(input.mesh, analysis.view), 0);
   progress.stage(camera.name + ": write the results");
   return written_report(scene, input, analysis, *options.output);

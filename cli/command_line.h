@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "cli/scene.h"
+#include "geometry/arithmetic.h"
 #include "geometry/errors.h"
 
 namespace sightline {
@@ -22,6 +23,7 @@ struct AnalyzeOptions {
   std::optional<std::string> output;  // the folder for the results; none: no files, which needs json
   std::optional<SidesPolicy> sides;   // instead of the scene file's
   std::optional<Camera> camera;       // set where the input is a mesh
+  Precision precision;
   bool json = false;
   bool quiet = false;
 

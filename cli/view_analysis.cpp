@@ -37,7 +37,8 @@ MeshInput read_mesh(const std::string& file, Progress& progress) {
   return input;
 }
 
-ViewAnalysis analyze_view(const MeshInput& input, const Camera& camera, SidesPolicy policy, Progress& progress) {
+ViewAnalysis analyze_view(const MeshInput& input, const Camera& camera, SidesPolicy policy, const Precision& precision,
+                          Progress& progress) {
   const Mesh& mesh = input.mesh;
   ViewAnalysis analysis;
   StageSeconds& seconds = analysis.seconds;
@@ -45,7 +46,7 @@ ViewAnalysis analyze_view(const MeshInput& input, const Camera& camera, SidesPol
   analysis.asked = policy;
   progress.stage(camera.name + ": project");
   analysis.sides = timed(seconds.sides, [&] { return decide_sides(mesh, input.contacts, camera, policy); });
-  view.scene = timed(seconds.project, [&] { return project(mesh, camera, analysis.sides.sides); });
+  view.scene = timed(seconds.project, [&] { return project(mesh, camera, analysis.sides.sides, precision); });
   progress.stage(camera.name + ": sweep");
   view.segments = timed(seconds.sweep, [&] { return watched_sweep(mesh, view.scene, progress); });
   progress.stage(camera.name + ": reconstruct the visible polygons");

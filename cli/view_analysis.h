@@ -38,7 +38,8 @@ struct ViewAnalysis {
   StageSeconds seconds;
 };
 
+// Errors: InternalError, or ArithmeticError where the arithmetic is not exact.
 [[nodiscard]] ViewAnalysis analyze_view(const MeshInput& input, const Camera& camera, SidesPolicy policy,
-                                        Progress& progress);
+                                        const Precision& precision, Progress& progress);
 
 }  // namespace sightline
