@@ -52,9 +52,9 @@ Report written_report(const Scene& scene, const MeshInput& input, const ViewAnal
 }
 
 // results: where the files go, if anywhere.
-Report camera_report(const Scene& scene, const MeshInput& input, const Camera& camera, ResultFolders* results,
-                     Progress& progress) {
-  const ViewAnalysis analysis = analyze_view(input, camera, scene.sides, progress);
+Report camera_report(const Scene& scene, const MeshInput& input, const Camera& camera, const Precision& precision,
+                     ResultFolders* results, Progress& progress) {
+  const ViewAnalysis analysis = analyze_view(input, camera, scene.sides, precision, progress);
   if (results == nullptr) return make_report(scene, input, analysis, measure_faces(input.mesh, analysis.view), 0);
   progress.stage(camera.name + ": write the results");
   return written_report(scene, input, analysis, *results);
@@ -73,7 +73,7 @@ std::string analyzed(const AnalyzeOptions& options) {
   if (options.output) results.emplace(*options.output);
   std::vector<Report> reports;
   for (const Camera& camera : scene.cameras) {
-    reports.push_back(camera_report(scene, input, camera, results ? &*results : nullptr, progress));
+    reports.push_back(camera_report(scene, input, camera, options.precision, results ? &*results : nullptr, progress));
   }
   if (results) results->publish();
   return standard_output(reports, options);

@@ -17,7 +17,7 @@ namespace {
 
 // The options as texts: numbers are parsed here and not by CLI11, which goes through the locale.
 struct AnalyzeTexts {
-  std::string input, output, sides, eye, target, up, fov_y, aspect, max_memory;
+  std::string input, output, sides, eye, target, up, fov_y, aspect, arithmetic, grid_bits, max_memory;
   bool json = false;
   bool quiet = false;
 };
@@ -81,6 +81,26 @@ std::uint64_t memory_limit(const std::string& text) {
   return *bytes;
 }
 
+Precision precision_of(const AnalyzeTexts& texts) {
+  Precision precision;
+  if (!texts.arithmetic.empty()) {
+    const auto arithmetic = arithmetic_named(texts.arithmetic);
+    if (!arithmetic) {
+      throw CommandLineError(fmt::format("--arithmetic: '{}' is not float, double or exact", texts.arithmetic));
+    }
+    precision.arithmetic = *arithmetic;
+  }
+  if (!texts.grid_bits.empty()) {
+    const double bits = parsed_number(texts.grid_bits, "--grid-bits");
+    if (bits != std::floor(bits) || bits < smallest_grid_bits || bits > default_grid_bits) {
+      throw CommandLineError(fmt::format("--grid-bits: '{}' is not a whole number from {} to {}", texts.grid_bits,
+                                         smallest_grid_bits, default_grid_bits));
+    }
+    precision.grid_bits = static_cast<int>(bits);
+  }
+  return precision;
+}
+
 AnalyzeOptions options_of(const AnalyzeTexts& texts) {
   AnalyzeOptions options;
   options.input = texts.input;
@@ -92,6 +112,7 @@ AnalyzeOptions options_of(const AnalyzeTexts& texts) {
     if (!options.sides) throw CommandLineError(fmt::format("--sides: '{}' is not auto, front or both", texts.sides));
   }
   options.max_memory = memory_limit(texts.max_memory);
+  options.precision = precision_of(texts);
   options.json = texts.json;
   options.quiet = texts.quiet;
   if (options.input_is_scene()) {
@@ -112,6 +133,10 @@ void declare_analyze(CLI::App& analyze, AnalyzeTexts& texts) {
   analyze.add_option("--fov-y", texts.fov_y, "vertical field of view in degrees")->type_name("DEG");
   analyze.add_option("--aspect", texts.aspect, "the window's width over its height (1)")->type_name("R");
   analyze.add_option("--sides", texts.sides, "which sides of faces count (auto)")->type_name("auto|front|both");
+  analyze.add_option("--arithmetic", texts.arithmetic, "in which every decision is taken (exact)")
+      ->type_name("float|double|exact");
+  analyze.add_option("--grid-bits", texts.grid_bits, "the image's grid has 2^N cells in the half window (40)")
+      ->type_name("N");
   analyze.add_option("-o,--output", texts.output, "folder for the results, one folder in it per camera")
       ->type_name("DIR");
   analyze.add_option("--max-memory", texts.max_memory, "stop where more is needed (3/4 of the machine's memory)")

@@ -10,6 +10,7 @@
 #include <variant>
 
 #include "cli/scene.h"
+#include "geometry/arithmetic.h"
 #include "geometry/errors.h"
 
 namespace sightline {
@@ -24,6 +25,7 @@ struct AnalyzeOptions {
   std::optional<SidesPolicy> sides;   // instead of the scene file's
   std::optional<Camera> camera;       // set where the input is a mesh
   std::uint64_t max_memory = 0;       // in bytes
+  Precision precision;
   bool json = false;
   bool quiet = false;
 

@@ -137,6 +137,7 @@ Report make_report(const Scene& scene, const MeshInput& input, const ViewAnalysi
   return {{"scene", scene_part(scene, input.mesh)},
           {"camera", camera_part(view.scene.camera)},
           {"sides", sides_part(analysis)},
+          {"precision", {{"arithmetic", to_string(view.scene.arithmetic)}, {"grid_bits", view.scene.grid_bits}}},
           {"counts", counts_part(input, view, faces)},
           {"areas", areas_part(view, faces)},
           {"below_resolution", below_resolution_part(view.polygons)},

@@ -39,7 +39,8 @@ MeshInput read_mesh(const std::string& file, std::uint64_t max_memory, Progress&
   return input;
 }
 
-ViewAnalysis analyze_view(const MeshInput& input, const Camera& camera, SidesPolicy policy, Progress& progress) {
+ViewAnalysis analyze_view(const MeshInput& input, const Camera& camera, SidesPolicy policy, const Precision& precision,
+                          Progress& progress) {
   const Mesh& mesh = input.mesh;
   ViewAnalysis analysis;
   StageSeconds& seconds = analysis.seconds;
@@ -47,7 +48,7 @@ ViewAnalysis analyze_view(const MeshInput& input, const Camera& camera, SidesPol
   analysis.asked = policy;
   progress.stage(camera.name + ": project");
   analysis.sides = timed(seconds.sides, [&] { return decide_sides(mesh, input.contacts, camera, policy); });
-  view.scene = timed(seconds.project, [&] { return project(mesh, camera, analysis.sides.sides); });
+  view.scene = timed(seconds.project, [&] { return project(mesh, camera, analysis.sides.sides, precision); });
   require_memory_for_view(mesh, view.scene, input.max_memory);
   progress.stage(camera.name + ": sweep");
   view.segments = timed(seconds.sweep, [&] { return watched_sweep(mesh, view.scene, progress); });

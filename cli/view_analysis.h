@@ -40,8 +40,8 @@ struct ViewAnalysis {
   StageSeconds seconds;
 };
 
-// Errors: MemoryError, before the sweep.
+// Errors: MemoryError, before the sweep; InternalError, or ArithmeticError where the arithmetic is not exact.
 [[nodiscard]] ViewAnalysis analyze_view(const MeshInput& input, const Camera& camera, SidesPolicy policy,
-                                        Progress& progress);
+                                        const Precision& precision, Progress& progress);
 
 }  // namespace sightline

@@ -1,7 +1,8 @@
 // Every exception that sightline throws.
 //
 // InputError and CameraError are thrown at the boundary, where input enters; inside, preconditions hold.
-// InternalError reports a broken invariant: a defect of sightline, never of the input.
+// InternalError reports a broken invariant: a defect of sightline, never of the input. ArithmeticError reports one that
+// broke because float or double was asked for (arithmetic.h).
 #pragma once
 
 #include <cstddef>
@@ -33,6 +34,17 @@ class CameraError : public Error {
 // An invariant of the program does not hold; what() says which, and where in the sweep.
 class InternalError : public Error {
   using Error::Error;
+};
+
+// The arithmetic that was asked for is too weak for this view; what() says which invariant broke, and where.
+class ArithmeticError : public Error {
+ public:
+  ArithmeticError(const std::string& arithmetic, const std::string& broken)
+      : Error(arithmetic + " arithmetic is too weak for this view: " + broken + "; use exact"), broken_(broken) {}
+  [[nodiscard]] const std::string& broken() const { return broken_; }
+
+ private:
+  std::string broken_;
 };
 
 }  // namespace sightline

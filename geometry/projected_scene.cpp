@@ -4,23 +4,33 @@
 
 #include "geometry/clipping.h"
 #include "geometry/facet_plane.h"
+#include "geometry/unfiltered.h"
 #include "geometry/vertex_projection.h"
 
 namespace sightline {
 namespace {
 
-std::vector<ProjectedVertex> project_vertices(const Mesh& mesh, const Camera& camera, int grid_bits) {
+std::vector<ProjectedVertex> project_vertices(const Mesh& mesh, const Camera& camera, const Precision& precision) {
   std::vector<ProjectedVertex> projected(mesh.vertices.size());
   std::vector<std::uint8_t> used(mesh.vertices.size(), 0);
   for (const VertexId v : mesh.facets.corners) used[v.index()] = 1;
   for (std::size_t v = 0; v < used.size(); ++v) {
-    if (used[v] != 0) projected[v] = project_vertex(mesh, VertexId(v), camera, grid_bits);
+    if (used[v] == 0) continue;
+    projected[v] = project_vertex(mesh, VertexId(v), camera, precision.grid_bits);
+    if (precision.arithmetic != Arithmetic::exact && projected[v].strictly_outside == 0) {
+      projected[v].image = unfiltered::image_point(precision, mesh.vertices[v], camera);
+    }
   }
   return projected;
 }
 
-Facing facing_of(const Mesh& mesh, const Camera& camera, FacetId facet) {
-  const Sign side = side_of_plane(mesh, facet, camera.eye);
+// A facet that is edge-on is edge-on in any arithmetic: clipping needs that.
+Facing facing_of(const Mesh& mesh, const Camera& camera, FacetId facet, Arithmetic arithmetic) {
+  Sign side = side_of_plane(mesh, facet, camera.eye);
+  if (arithmetic != Arithmetic::exact && side != 0) {
+    const auto [a, b, c] = plane_corners(mesh, facet);
+    side = unfiltered::orient3d(arithmetic, mesh.position(a), mesh.position(b), mesh.position(c), camera.eye);
+  }
   return side > 0 ? Facing::front : (side < 0 ? Facing::back : Facing::edge_on);
 }
 
@@ -65,11 +75,12 @@ PlacedCorner place(const ExactCorner& exact, const Mesh& mesh, const std::vector
 
 class SceneBuilder {
  public:
-  SceneBuilder(const Mesh& mesh, const Camera& camera, Sides sides, int grid_bits)
-      : mesh_(mesh), projected_(project_vertices(mesh, camera, grid_bits)) {
+  SceneBuilder(const Mesh& mesh, const Camera& camera, Sides sides, const Precision& precision)
+      : mesh_(mesh), projected_(project_vertices(mesh, camera, precision)) {
     scene_.camera = camera;
     scene_.sides_shown = sides;
-    scene_.grid_bits = grid_bits;
+    scene_.arithmetic = precision.arithmetic;
+    scene_.grid_bits = precision.grid_bits;
   }
 
   ProjectedScene build() {
@@ -83,7 +94,7 @@ class SceneBuilder {
  private:
   void add_facet(FacetId f) {
     scene_.polygon_begin.push_back(static_cast<std::uint32_t>(placed_.size()));
-    scene_.facing.push_back(facing_of(mesh_, scene_.camera, f));
+    scene_.facing.push_back(facing_of(mesh_, scene_.camera, f, scene_.arithmetic));
     const OutcodeSummary summary = summarize(mesh_.corners(f), projected_);
     scene_.status.push_back(status_of(f, summary));
     if (scene_.status.back() != Status::in_view) return;
@@ -176,8 +187,8 @@ class SceneBuilder {
 
 }  // namespace
 
-ProjectedScene project(const Mesh& mesh, const Camera& camera, Sides sides, int grid_bits) {
-  return SceneBuilder(mesh, camera, sides, grid_bits).build();
+ProjectedScene project(const Mesh& mesh, const Camera& camera, Sides sides, const Precision& precision) {
+  return SceneBuilder(mesh, camera, sides, precision).build();
 }
 
 }  // namespace sightline

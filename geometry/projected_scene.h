@@ -10,7 +10,8 @@
 //   - for each facet, the winding over its sides adds up to zero at every point: its boundary is closed;
 //   - only facets with Status::in_view have sides.
 // Complexity: O(n log n).
-// Errors: none; a mesh that builds and a camera that is made can be projected.
+// Errors: none; a mesh that builds and a camera that is made can be projected. Only in float and double, where the
+// points are not the nearest ones: ArithmeticError.
 // Source: Fang 1993, sections 5.2.2-5.2.3 and table 5.1 (window edge coordinates, Sutherland-Hodgman clipping).
 // Departures: the clipping is exact, and no near plane is needed: |X| <= W and |Y| <= W leave only the eye itself at
 // W = 0, and a facet through the eye is edge-on, hence invisible.
@@ -22,6 +23,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/arithmetic.h"
 #include "geometry/camera.h"
 #include "geometry/ids.h"
 #include "geometry/image_point.h"
@@ -70,6 +72,7 @@ struct ClippedCorner {
 struct ProjectedScene {
   Camera camera;
   Sides sides_shown = Sides::both;
+  Arithmetic arithmetic = Arithmetic::exact;  // in which vertices were projected, and the stages that follow decide
   int grid_bits = default_grid_bits;
 
   std::vector<ImagePoint> points;
@@ -96,7 +99,7 @@ struct ProjectedScene {
 };
 
 [[nodiscard]] ProjectedScene project(const Mesh& mesh, const Camera& camera, Sides sides,
-                                     int grid_bits = default_grid_bits);
+                                     const Precision& precision = {});
 
 // What of the above does not hold, one line each, with the ids; empty for a valid scene.
 [[nodiscard]] std::vector<std::string> validate(const ProjectedScene& scene);

@@ -239,6 +239,14 @@ class Labeller {
   std::size_t next_polygon_ = 0;
 };
 
+// Labelling builds on what the stages before it promise, which float and double do not always keep.
+void require_valid(const Mesh& mesh, const ProjectedScene& scene, const VisibleSegments& segments,
+                   const VisiblePolygons& polygons) {
+  for (const auto& messages : {validate(segments, scene), validate(polygons, mesh, scene, segments)}) {
+    if (!messages.empty()) throw ArithmeticError(to_string(scene.arithmetic), messages.front());
+  }
+}
+
 }  // namespace
 
 const char* to_string(Label label) {
@@ -257,7 +265,8 @@ const char* to_string(Label label) {
 
 LabelledMesh label_mesh(const Mesh& mesh, const ProjectedScene& scene, const VisibleSegments& segments,
                         const VisiblePolygons& polygons) {
-  return Labeller(mesh, scene, segments, polygons).run();
+  if (scene.arithmetic != Arithmetic::exact) require_valid(mesh, scene, segments, polygons);
+  return with_invariants_of(scene.arithmetic, [&] { return Labeller(mesh, scene, segments, polygons).run(); });
 }
 
 }  // namespace sightline

@@ -162,7 +162,7 @@ class Reconstruction {
 }  // namespace
 
 VisiblePolygons reconstruct_polygons(const Mesh& mesh, const ProjectedScene& scene, const VisibleSegments& segments) {
-  return Reconstruction(mesh, scene, segments).run();
+  return with_invariants_of(scene.arithmetic, [&] { return Reconstruction(mesh, scene, segments).run(); });
 }
 
 Rational exact_area(const ProjectedScene& scene, const VisibleSegments& segments, const VisiblePolygons& polygons,

@@ -9,6 +9,7 @@
 //     facet each. A polygon with 2 * area / perimeter below one grid spacing is below resolution: it is listed, but
 //     its face is not called visible for it (DESIGN.md section 3).
 // Complexity: O(m log m) for m segments.
+// Errors: InternalError; in float and double (scene.arithmetic) ArithmeticError instead.
 // Source: Fang 1993, section 5.3.1, "Polygon Reconstruction".
 // Departures: where several segments leave a point the sharpest turn that keeps the face on the left is taken, and a
 // ring that comes back to a point is cut there.

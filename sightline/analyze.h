@@ -1,6 +1,6 @@
 // Mesh and camera in, everything sightline knows about the view out: the stages, one after the other.
 //
-// Source: DESIGN.md section 2. Errors: InternalError.
+// Source: DESIGN.md section 2. Errors: InternalError; in float and double ArithmeticError instead.
 #pragma once
 
 #include "geometry/camera.h"
@@ -23,9 +23,9 @@ struct View {
 
 // The mesh's facets do not pass through each other: cut_along_common_lines sees to that.
 [[nodiscard]] inline View analyze(const Mesh& mesh, const Camera& camera, Sides sides = Sides::both,
-                                  SweepObserver* observer = nullptr) {
+                                  SweepObserver* observer = nullptr, const Precision& precision = {}) {
   View view;
-  view.scene = project(mesh, camera, sides);
+  view.scene = project(mesh, camera, sides, precision);
   view.segments = sweep(mesh, view.scene, observer);
   view.polygons = reconstruct_polygons(mesh, view.scene, view.segments);
   view.labelled = label_mesh(mesh, view.scene, view.segments, view.polygons);

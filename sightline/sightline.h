@@ -1,6 +1,7 @@
 // Everything a user of the library needs; each header says what goes in and out of its stage.
 #pragma once
 
+#include "geometry/arithmetic.h"
 #include "geometry/camera.h"
 #include "geometry/common_lines.h"
 #include "geometry/culling.h"

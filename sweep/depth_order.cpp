@@ -3,11 +3,12 @@
 #include <algorithm>
 
 #include "geometry/facet_plane.h"
+#include "geometry/unfiltered.h"
 
 namespace sightline {
 
 DepthOrder::DepthOrder(const Mesh& mesh, const ProjectedScene& scene)
-    : mesh_(mesh), eye_(scene.camera.eye), facing_(scene.facing), pieces_(mesh, scene) {
+    : mesh_(mesh), arithmetic_(scene.arithmetic), eye_(scene.camera.eye), facing_(scene.facing), pieces_(mesh, scene) {
   const std::size_t wholes = mesh.is_cut() ? mesh.cuts.wholes.size() : mesh.facet_count();
   planes_.reserve(wholes);
   for (std::size_t w = 0; w < wholes; ++w) {
@@ -103,8 +104,7 @@ void DepthOrder::add_edge_crossings(WholeId f, WholeId g, Evidence& evidence) {
       const Sign abc = seen_orientation(a, b, c);
       if (abc == 0 || seen_orientation(a, b, d) != -abc) continue;
       if (seen_orientation(c, d, b) != abc || seen_orientation(c, d, a) != -abc) continue;
-      evidence.add(-abc *
-                   orient3d(mesh_.position(a), mesh_.position(b), mesh_.position(c), mesh_.position(d), &counts_));
+      evidence.add(-abc * orientation(a, b, c, {mesh_.position(d), 1}));
     }
   }
 }
@@ -117,14 +117,23 @@ Sign DepthOrder::side_towards_eye(WholeId plane, VertexId v) {
     if (mesh_.weld[corner.index()] == welded) return 0;
   }
   const auto& [a, b, c] = planes_[plane.index()];
-  return orient3d(mesh_.position(a), mesh_.position(b), mesh_.position(c), mesh_.position(v), &counts_);
+  return orientation(a, b, c, {mesh_.position(v), 1});
 }
 
 // +1 where the eye sees a, b, c counter-clockwise.
 Sign DepthOrder::seen_orientation(VertexId a, VertexId b, VertexId c) {
   const auto welded = [this](VertexId v) { return mesh_.weld[v.index()]; };
   if (welded(a) == welded(c) || welded(b) == welded(c)) return 0;
-  return orient3d(mesh_.position(a), mesh_.position(b), mesh_.position(c), eye_, &counts_);
+  return orientation(a, b, c, eye_);
+}
+
+// orient3d in the scene's arithmetic.
+Sign DepthOrder::orientation(VertexId a, VertexId b, VertexId c, const HomogeneousPoint& d) {
+  const Point3& pa = mesh_.position(a);
+  const Point3& pb = mesh_.position(b);
+  const Point3& pc = mesh_.position(c);
+  if (arithmetic_ == Arithmetic::exact) return orient3d(pa, pb, pc, d, &counts_);
+  return unfiltered::orient3d(arithmetic_, pa, pb, pc, d);
 }
 
 }  // namespace sightline

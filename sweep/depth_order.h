@@ -12,6 +12,8 @@
 // (narrower than the grid) show no place; the lower facet index is in front.
 // Departure from Fang's appendix B, which compares depths at the sweep point: that needs the rounded point lifted, and
 // cannot be exact.
+// In float and double (arithmetic.h) the signs are plain evaluations: nearer(f, g) != nearer(g, f) and the rule of
+// coplanar facets still hold, nothing else does. The order of pieces whose wholes cross is exact in all.
 #pragma once
 
 #include <array>
@@ -57,8 +59,10 @@ class DepthOrder {
   void add_edge_crossings(WholeId f, WholeId g, Evidence& evidence);
   [[nodiscard]] Sign side_towards_eye(WholeId plane, VertexId v);
   [[nodiscard]] Sign seen_orientation(VertexId a, VertexId b, VertexId c);
+  [[nodiscard]] Sign orientation(VertexId a, VertexId b, VertexId c, const HomogeneousPoint& d);
 
   const Mesh& mesh_;
+  const Arithmetic arithmetic_;
   HomogeneousPoint eye_;
   const std::vector<Facing>& facing_;
   PieceOrder pieces_;

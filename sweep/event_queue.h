@@ -10,38 +10,49 @@
 #include <vector>
 
 #include "geometry/projected_scene.h"
-#include "sweep/crossing_point.h"
+#include "sweep/image_decisions.h"
 
 namespace sightline {
 
+template <class Place>
 struct CrossingEvent {
-  CrossingPoint point;
+  Place point;
   EdgeId a;  // left of b above the point
   EdgeId b;
 };
 
+template <class Place>
 struct SweepPoint {
-  PointId vertex;                                              // invalid: only crossings here
-  PointId next_vertex;                                         // the scene's points before this one have smaller ids
-  boost::container::small_vector<CrossingEvent, 2> crossings;  // distinct pairs, by their edges
+  PointId vertex;                                                     // invalid: only crossings here
+  PointId next_vertex;                                                // the scene's points before it have smaller ids
+  boost::container::small_vector<CrossingEvent<Place>, 2> crossings;  // distinct pairs, by their edges
 };
 
+// Decisions: see image_decisions.h.
+template <class Decisions>
 class EventQueue {
  public:
+  using Event = CrossingEvent<typename Decisions::Place>;
+  using Point = SweepPoint<typename Decisions::Place>;
+
   explicit EventQueue(const ProjectedScene& scene) : scene_(&scene) {}
 
-  void add(const CrossingEvent& crossing);
+  void add(const Event& crossing);
 
   // Takes the next sweep point with everything that happens there. False where none is left.
-  [[nodiscard]] bool next(SweepPoint& point);
+  [[nodiscard]] bool next(Point& point);
 
  private:
-  void take_crossings_at_first(SweepPoint& point);
-  CrossingEvent pop_crossing();
+  void take_crossings_at_first(Point& point);
+  Event pop_crossing();
 
   const ProjectedScene* scene_;
   std::size_t next_vertex_ = 0;
-  std::vector<CrossingEvent> heap_;
+  std::vector<Event> heap_;
 };
+
+extern template class EventQueue<ExactDecisions>;
+extern template class EventQueue<UnfilteredDecisions<float>>;
+extern template class EventQueue<UnfilteredDecisions<double>>;
 
 }  // namespace sightline

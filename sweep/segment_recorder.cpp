@@ -7,7 +7,7 @@
 
 namespace sightline {
 
-void SegmentRecorder::at(const SweepPoint& point, std::span<const AboveSegment> above, std::span<const BundleId> below,
+void SegmentRecorder::at(const NamedPoint& point, std::span<const AboveSegment> above, std::span<const BundleId> below,
                          FacetId left, ActiveEdgeList& active) {
   ending_.clear();
   end_point_surfaces_.clear();
@@ -112,7 +112,7 @@ bool SegmentRecorder::has_end_point(FacetId facet) const {
   return std::binary_search(end_point_surfaces_.begin(), end_point_surfaces_.end(), surface_of(mesh_, facet));
 }
 
-void SegmentRecorder::emit(const SweepPoint& point, std::span<const BundleId> below, ActiveEdgeList& active) {
+void SegmentRecorder::emit(const NamedPoint& point, std::span<const BundleId> below, ActiveEdgeList& active) {
   const PointId p = id_of(point);
   for (const AboveSegment& ending : ending_) {
     VisibleSegment& segment = result_.segments[ending.open.segment.index()];
@@ -157,13 +157,11 @@ void SegmentRecorder::add_thread(PointId p, FacetId left, BundleId first_below, 
   result_.threads.push_back({p, left, active[b].right_segment.segment});
 }
 
-PointId SegmentRecorder::id_of(const SweepPoint& point) {
+PointId SegmentRecorder::id_of(const NamedPoint& point) {
   if (point.vertex.valid()) return point.vertex;
-  const CrossingEvent& crossing = point.crossings.front();
-  const Crossing numbered{crossing.a, crossing.b, point.next_vertex};
-  if (result_.crossings.empty() || result_.crossings.back().a != numbered.a ||
-      result_.crossings.back().b != numbered.b) {
-    result_.crossings.push_back(numbered);
+  if (result_.crossings.empty() || result_.crossings.back().a != point.crossing.a ||
+      result_.crossings.back().b != point.crossing.b) {
+    result_.crossings.push_back(point.crossing);
   }
   return PointId(scene_.points.size() + result_.crossings.size() - 1);
 }

@@ -16,7 +16,6 @@
 #include "geometry/mesh.h"
 #include "geometry/projected_scene.h"
 #include "sweep/active_edge_list.h"
-#include "sweep/event_queue.h"
 #include "sweep/visible_segments.h"
 
 namespace sightline {
@@ -27,6 +26,12 @@ struct AboveSegment {
   bool left_of_edge = false;
 };
 
+// A sweep point as the result names it.
+struct NamedPoint {
+  PointId vertex;
+  Crossing crossing;  // where vertex is invalid
+};
+
 class SegmentRecorder {
  public:
   SegmentRecorder(const Mesh& mesh, const ProjectedScene& scene, VisibleSegments& result)
@@ -34,7 +39,7 @@ class SegmentRecorder {
 
   // below: the bundles below the point, left to right; they are in the active edge list with their edges and node
   // lists, and get their open segments here. left: the topmost facet left of the point.
-  void at(const SweepPoint& point, std::span<const AboveSegment> above, std::span<const BundleId> below, FacetId left,
+  void at(const NamedPoint& point, std::span<const AboveSegment> above, std::span<const BundleId> below, FacetId left,
           ActiveEdgeList& active);
 
  private:
@@ -48,11 +53,11 @@ class SegmentRecorder {
   void note_starts(std::span<const BundleId> below, const ActiveEdgeList& active);
   void end_kept_at_end_points(std::span<const BundleId> below, ActiveEdgeList& active);
   [[nodiscard]] bool has_end_point(FacetId facet) const;
-  void emit(const SweepPoint& point, std::span<const BundleId> below, ActiveEdgeList& active);
+  void emit(const NamedPoint& point, std::span<const BundleId> below, ActiveEdgeList& active);
   void start(OpenSegment& open, bool left_of_edge, PointId p);
   void split_edges(PointId p, std::span<const BundleId> below, const ActiveEdgeList& active);
   void add_thread(PointId p, FacetId left, BundleId first_below, const ActiveEdgeList& active);
-  PointId id_of(const SweepPoint& point);
+  PointId id_of(const NamedPoint& point);
 
   const Mesh& mesh_;
   const ProjectedScene& scene_;

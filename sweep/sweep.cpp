@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/errors.h"
+#include "geometry/arithmetic.h"
 #include "sweep/active_edge_list.h"
 #include "sweep/depth_order.h"
+#include "sweep/edge_directions.h"
 #include "sweep/event_queue.h"
 #include "sweep/segment_recorder.h"
 #include "sweep/sweep_input.h"
+#include "sweep/validate_crossings.h"
 
 namespace sightline {
 namespace {
@@ -17,6 +19,7 @@ namespace {
 // the depths are not transitive there, because facets overlap in the rounded image only.
 struct IntransitiveDepth {};
 
+template <class Decisions>
 class Sweep {
  public:
   Sweep(const Mesh& mesh, const ProjectedScene& scene, NodeOrder order, SweepObserver* observer)
@@ -24,6 +27,7 @@ class Sweep {
         order_(order),
         observer_(observer),
         input_(mesh, scene),
+        directions_(scene),
         queue_(scene),
         active_(scene.edge_count()),
         depth_(mesh, scene),
@@ -35,7 +39,7 @@ class Sweep {
       arrange_below();
       replace_in_active_list();
       update_node_lists();
-      recorder_.at(point_, above_segments_, below_, left_list_.topmost(), active_);
+      recorder_.at(name_of_point(), above_segments_, below_, left_list_.topmost(), active_);
       queue_crossings();
       count();
       if (observer_ != nullptr) notify();
@@ -43,6 +47,7 @@ class Sweep {
     check(active_.empty(), "edges are left over after the last sweep point");
     result_.statistics.depth_comparisons = depth_.comparisons();
     result_.statistics.predicates = depth_.counts();
+    require_real_crossings();
     std::sort(result_.splits.begin(), result_.splits.end());
     result_.splits.erase(std::unique(result_.splits.begin(), result_.splits.end()), result_.splits.end());
     return std::move(result_);
@@ -55,7 +60,7 @@ class Sweep {
     marked_ = {};
     marked_count_ = 0;
     for (const EdgeId e : input_.ending_at(point_.vertex)) mark(active_.bundle_of(e));
-    for (const CrossingEvent& c : point_.crossings) {
+    for (const auto& c : point_.crossings) {
       mark(active_.bundle_of(c.a));
       mark(active_.bundle_of(c.b));
     }
@@ -114,7 +119,7 @@ class Sweep {
   // +1 where p is right of the bundle, 0 where it is on it.
   [[nodiscard]] Sign side_of(const Bundle& bundle, const ImagePoint& p) const {
     const SceneEdge& e = scene_.edge(bundle.edges.front());
-    return orientation(scene_.point(e.top), scene_.point(e.bottom), p);
+    return Decisions::side(scene_.point(e.top), scene_.point(e.bottom), p);
   }
 
   void remember_segments(const Bundle& bundle) {
@@ -134,7 +139,7 @@ class Sweep {
     const auto starting = input_.starting_at(point_.vertex);
     edges_below_.insert(edges_below_.end(), starting.begin(), starting.end());
     std::sort(edges_below_.begin(), edges_below_.end(), [this](EdgeId a, EdgeId b) {
-      const Sign turn = input_.turn(a, b);
+      const Sign turn = directions_.turn(a, b);
       return turn != 0 ? turn > 0 : a < b;
     });
   }
@@ -146,7 +151,7 @@ class Sweep {
     BundleId left = left_neighbour_;
     for (std::size_t begin = 0; begin < edges_below_.size();) {
       std::size_t end = begin + 1;
-      while (end < edges_below_.size() && input_.turn(edges_below_[begin], edges_below_[end]) == 0) ++end;
+      while (end < edges_below_.size() && directions_.turn(edges_below_[begin], edges_below_[end]) == 0) ++end;
       const BundleId b = below_.size() < above_.size() ? above_[below_.size()] : active_.insert_after(left);
       active_.set_edges(b, std::span(edges_below_).subspan(begin, end - begin));
       below_.push_back(b);
@@ -194,15 +199,37 @@ class Sweep {
     if (!left.valid() || !right.valid()) return;
     const EdgeId a = active_[left].edges.front();
     const EdgeId b = active_[right].edges.front();
-    if (input_.turn(a, b) >= 0) return;
+    if (directions_.turn(a, b) >= 0) return;
     const PointId a_end = scene_.edge(a).bottom;
     const PointId b_end = scene_.edge(b).bottom;
     const bool cross = a_end < b_end ? side_of(active_[right], scene_.point(a_end)) > 0
                                      : b_end < a_end && side_of(active_[left], scene_.point(b_end)) < 0;
     if (!cross) return;
-    queue_.add({crossing_point(scene_.point(scene_.edge(a).top), scene_.point(a_end), scene_.point(scene_.edge(b).top),
-                               scene_.point(b_end)),
-                a, b});
+    const auto place = Decisions::crossing(scene_.point(scene_.edge(a).top), scene_.point(a_end),
+                                           scene_.point(scene_.edge(b).top), scene_.point(b_end));
+    if constexpr (!Decisions::is_exact) {
+      check(Decisions::is_number(place), "two edges that cross are parallel");
+      check(is_ahead(place), "two edges cross at or above the sweep line");
+    }
+    queue_.add({place, a, b});
+  }
+
+  [[nodiscard]] bool is_ahead(const typename Decisions::Place& place) const {
+    return point_.vertex.valid() ? Decisions::compare(place, scene_.point(point_.vertex)) > 0
+                                 : Decisions::compare(place, point_.crossings.front().point) > 0;
+  }
+
+  // Whoever reads the result finds a crossing by its edges, so they have to cross. Exact decisions are right.
+  void require_real_crossings() const {
+    if constexpr (!Decisions::is_exact) {
+      for (const Crossing& c : result_.crossings)
+        check(cross_inside_both(scene_, c.a, c.b), "two edges that were taken to cross do not");
+    }
+  }
+
+  [[nodiscard]] NamedPoint name_of_point() const {
+    if (point_.vertex.valid()) return {point_.vertex, {}};
+    return {{}, {point_.crossings.front().a, point_.crossings.front().b, point_.next_vertex}};
   }
 
   void count() {
@@ -225,8 +252,8 @@ class Sweep {
       seen.x = static_cast<double>(scene_.point(point_.vertex).x) * scale;
       seen.y = static_cast<double>(scene_.point(point_.vertex).y) * scale;
     } else {
-      seen.x = point_.crossings.front().point.x * scale;
-      seen.y = point_.crossings.front().point.y * scale;
+      seen.x = static_cast<double>(point_.crossings.front().point.x) * scale;
+      seen.y = static_cast<double>(point_.crossings.front().point.y) * scale;
     }
     seen.crossings = point_.crossings.size();
     seen.points_done = point_.next_vertex.index();
@@ -247,14 +274,15 @@ class Sweep {
   const NodeOrder order_;
   SweepObserver* const observer_;
   const SweepInput input_;
-  EventQueue queue_;
+  const EdgeDirections<Decisions> directions_;
+  EventQueue<Decisions> queue_;
   ActiveEdgeList active_;
   DepthOrder depth_;
   VisibleSegments result_;
   SegmentRecorder recorder_;
 
   // Of the current sweep point:
-  SweepPoint point_;
+  SweepPoint<typename Decisions::Place> point_;
   BundleId left_neighbour_, right_neighbour_;
   BundleId marked_;  // one of the bundles with edges that end or cross here
   std::size_t marked_count_ = 0;
@@ -265,14 +293,24 @@ class Sweep {
   NodeList left_list_, old_right_list_;
 };
 
+template <class Decisions>
+VisibleSegments sweep_with(const Mesh& mesh, const ProjectedScene& scene, SweepObserver* observer) {
+  try {
+    return Sweep<Decisions>(mesh, scene, NodeOrder::depth, observer).run();
+  } catch (const IntransitiveDepth&) {
+    return Sweep<Decisions>(mesh, scene, NodeOrder::tournament, observer).run();
+  }
+}
+
 }  // namespace
 
 VisibleSegments sweep(const Mesh& mesh, const ProjectedScene& scene, SweepObserver* observer) {
-  try {
-    return Sweep(mesh, scene, NodeOrder::depth, observer).run();
-  } catch (const IntransitiveDepth&) {
-    return Sweep(mesh, scene, NodeOrder::tournament, observer).run();
-  }
+  if (scene.arithmetic == Arithmetic::exact) return sweep_with<ExactDecisions>(mesh, scene, observer);
+  return with_invariants_of(scene.arithmetic, [&] {
+    return scene.arithmetic == Arithmetic::single_precision
+               ? sweep_with<UnfilteredDecisions<float>>(mesh, scene, observer)
+               : sweep_with<UnfilteredDecisions<double>>(mesh, scene, observer);
+  });
 }
 
 }  // namespace sightline

@@ -6,8 +6,12 @@
 //      order: then the topmost facet of a span is found by a tournament that depends on nothing but the span's facets,
 //      so that every ring closes all the same (NodeOrder in node_list.h). The observer then sees the sweep begin anew.
 //      The same holds, with the wrong facet on top in places, for facets that pass through each other.
+//      In float and double (scene.arithmetic) the sweep's decisions may contradict each other. It then ends with an
+//      ArithmeticError, or with a result of which `validate` may complain, but whose points all have a place. It ends:
+//      two edges swap at most once, since below a common point their slopes decide, and slopes are numbers.
 // Complexity: O((n + k) (log n + d)) for n edges, k crossings and d facets over one point of the image.
-// Errors: InternalError where an invariant of the sweep does not hold, with the sweep point.
+// Errors: InternalError where an invariant of the sweep does not hold, with the sweep point; in float and double
+//      ArithmeticError instead.
 // Source: Fang 1993, section 5.3.1 and appendix B; Sechrest and Greenberg 1982; Nurmi 1985.
 #pragma once
 

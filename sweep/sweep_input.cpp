@@ -21,12 +21,6 @@ SweepInput::SweepInput(const Mesh& mesh, const ProjectedScene& scene) {
       scene, [](const SceneEdge& e) { return e.top; }, by_top_, top_begin_);
   group(
       scene, [](const SceneEdge& e) { return e.bottom; }, by_bottom_, bottom_begin_);
-  direction_.reserve(scene.edge_count());
-  for (std::size_t e = 0; e < scene.edge_count(); ++e) {
-    const ImagePoint& top = scene.point(scene.edges[e].top);
-    const ImagePoint& bottom = scene.point(scene.edges[e].bottom);
-    direction_.push_back({bottom.x - top.x, bottom.y - top.y});
-  }
   find_several_vertices(mesh, scene);
 }
 

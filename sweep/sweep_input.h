@@ -18,13 +18,6 @@ class SweepInput {
   [[nodiscard]] std::span<const EdgeId> ending_at(PointId p) const { return range(by_bottom_, bottom_begin_, p); }
   [[nodiscard]] std::span<const EdgeId> starting_at(PointId p) const { return range(by_top_, top_begin_, p); }
 
-  // +1 where, below a common point, a lies left of b; 0 where they lie on each other.
-  [[nodiscard]] Sign turn(EdgeId a, EdgeId b) const {
-    const ImagePoint& u = direction_[a.index()];
-    const ImagePoint& v = direction_[b.index()];
-    return sign_of(static_cast<Int128>(u.x) * v.y - static_cast<Int128>(u.y) * v.x);
-  }
-
   // Whether vertices at different positions of the input fall on this point.
   [[nodiscard]] bool has_several_vertices(PointId p) const { return several_vertices_[p.index()] != 0; }
 
@@ -38,7 +31,6 @@ class SweepInput {
 
   std::vector<EdgeId> by_top_, by_bottom_;
   std::vector<std::uint32_t> top_begin_, bottom_begin_;
-  std::vector<ImagePoint> direction_;  // per edge: bottom - top
   std::vector<std::uint8_t> several_vertices_;
 };
 

@@ -10,6 +10,14 @@ using Messages = std::vector<std::string>;
 std::string name(EdgeId e) { return "edge " + std::to_string(e.value); }
 std::string crossing_name(std::size_t c) { return "crossing " + std::to_string(c); }
 
+// Whether the ends of b lie strictly on different sides of a.
+bool separates(const ProjectedScene& scene, EdgeId a, EdgeId b) {
+  const auto side = [&](PointId p) {
+    return orientation(scene.point(scene.edge(a).top), scene.point(scene.edge(a).bottom), scene.point(p));
+  };
+  return side(scene.edge(b).top) * side(scene.edge(b).bottom) < 0;
+}
+
 class CrossingCheck {
  public:
   CrossingCheck(const VisibleSegments& segments, const ProjectedScene& scene, Messages& messages)
@@ -18,7 +26,7 @@ class CrossingCheck {
   void run() {
     for (std::size_t c = 0; c < segments_.crossings.size(); ++c) {
       const Crossing& crossing = segments_.crossings[c];
-      if (!separates(crossing.a, crossing.b) || !separates(crossing.b, crossing.a)) {
+      if (!cross_inside_both(scene_, crossing.a, crossing.b)) {
         messages_.push_back(crossing_name(c) + " is of " + name(crossing.a) + " and " + name(crossing.b) +
                             ", which do not cross inside both");
       } else {
@@ -28,14 +36,6 @@ class CrossingCheck {
   }
 
  private:
-  // Whether the ends of b lie strictly on different sides of a.
-  [[nodiscard]] bool separates(EdgeId a, EdgeId b) const {
-    const auto side = [&](PointId p) {
-      return orientation(scene_.point(scene_.edge(a).top), scene_.point(scene_.edge(a).bottom), scene_.point(p));
-    };
-    return side(scene_.edge(b).top) * side(scene_.edge(b).bottom) < 0;
-  }
-
   void check_place(std::size_t c) {
     const CrossingPoint point = place(c);
     const std::size_t after = segments_.crossings[c].after.index();
@@ -62,6 +62,10 @@ class CrossingCheck {
 };
 
 }  // namespace
+
+bool cross_inside_both(const ProjectedScene& scene, EdgeId a, EdgeId b) {
+  return separates(scene, a, b) && separates(scene, b, a);
+}
 
 void check_crossings(const VisibleSegments& segments, const ProjectedScene& scene, std::vector<std::string>& messages) {
   CrossingCheck(segments, scene, messages).run();

@@ -12,6 +12,9 @@
 
 namespace sightline {
 
+// Whether the ends of each edge lie strictly on different sides of the other, exactly.
+[[nodiscard]] bool cross_inside_both(const ProjectedScene& scene, EdgeId a, EdgeId b);
+
 // Appends a message, with ids, for each crossing that does not hold this. Requires ids in range.
 void check_crossings(const VisibleSegments& segments, const ProjectedScene& scene, std::vector<std::string>& messages);
 

@@ -56,6 +56,17 @@ TEST_CASE("a scene file comes with its own cameras") {
   CHECK(options.json);
 }
 
+TEST_CASE("the dial is exact on 40 bits unless asked") {
+  const Precision by_default = std::get<AnalyzeOptions>(parse({"analyze", "s.toml", "--json"})).precision;
+  CHECK(by_default.arithmetic == Arithmetic::exact);
+  CHECK(by_default.grid_bits == 40);
+  const Precision asked =
+      std::get<AnalyzeOptions>(parse({"analyze", "s.toml", "--json", "--arithmetic", "float", "--grid-bits", "8"}))
+          .precision;
+  CHECK(asked.arithmetic == Arithmetic::single_precision);
+  CHECK(asked.grid_bits == 8);
+}
+
 TEST_CASE("help and version are texts") {
   CHECK(std::get<RequestedText>(parse({"analyze", "--help"})).text.find("--fov-y") != std::string::npos);
   CHECK(std::get<RequestedText>(parse({"--help"})).text.find("analyze") != std::string::npos);
@@ -73,6 +84,10 @@ TEST_CASE("a wrong command line is one line that names the option") {
       {{"analyze", "s.toml", "-o", "out", "--frobnicate"}, "--frobnicate"},
       {{"analyze", "s.toml", "-o", "out", "--eye", "1,2,3"}, "--eye"},
       {{"analyze", "s.toml", "-o", "out", "--sides", "back"}, "--sides: 'back'"},
+      {{"analyze", "s.toml", "-o", "out", "--arithmetic", "quad"}, "--arithmetic: 'quad'"},
+      {{"analyze", "s.toml", "-o", "out", "--grid-bits", "7"}, "--grid-bits: '7'"},
+      {{"analyze", "s.toml", "-o", "out", "--grid-bits", "41"}, "--grid-bits: '41'"},
+      {{"analyze", "s.toml", "-o", "out", "--grid-bits", "9.5"}, "--grid-bits: '9.5'"},
       {{"analyze", "a.obj", "-o", "out"}, "give --eye"},
       {mesh_call, "--target: '+0' is not a number"},
       {replaced(mesh, "-1,2.5,3e1", "1,2"), "--eye: '1,2' is not of the form X,Y,Z"},

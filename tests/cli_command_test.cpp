@@ -73,6 +73,14 @@ TEST_CASE("a scene gives one folder per camera with all files, a summary of 80 c
   }
 }
 
+TEST_CASE("the dial is in the report") {
+  const Json by_default = Json::parse(run_sightline({"analyze", fang_scene, "--json"}).out);
+  CHECK(by_default["precision"] == Json{{"arithmetic", "exact"}, {"grid_bits", 40}});
+  const RunResult run = run_sightline({"analyze", fang_scene, "--json", "--arithmetic", "float", "--grid-bits", "20"});
+  CHECK(run.exit_code == 0);
+  CHECK(Json::parse(run.out)["precision"] == Json{{"arithmetic", "float"}, {"grid_bits", 20}});
+}
+
 TEST_CASE("--json prints the report that is written, and an array for several cameras") {
   const TemporaryFolder folder;
   const RunResult run = run_sightline({"analyze", fang_scene, "--json", "-o", folder.path().string()});
