@@ -82,19 +82,32 @@ class CutsCheck {
     require(convex && rises == 1, name(f) + " is not convex");
   }
 
-  // Inside a whole its pieces run along each edge once in both directions.
+  // Each edge of a whole's pieces has two of them, in opposite directions, or is on a side of the whole.
   void check_border(WholeId w) {
-    std::map<MeshEdgeId, int> inner;
+    std::map<MeshEdgeId, std::vector<int>> directions;
     for (std::size_t f = cuts_.first_facet[w.index()].index(); f < cuts_.first_facet[w.index() + 1].index(); ++f) {
       const auto corners = mesh_.corners(FacetId(f));
       for (std::size_t i = 0; i < corners.size(); ++i) {
         const MeshEdgeId e = mesh_.edges_of(FacetId(f))[i];
-        if (cuts_.input_edge[e.index()][0].valid()) continue;
-        inner[e] += mesh_.weld[corners[i].index()] == mesh_.edges[e.index()][0] ? 1 : -1;
+        directions[e].push_back(mesh_.weld[corners[i].index()] == mesh_.edges[e.index()][0] ? 1 : -1);
       }
     }
-    require(std::ranges::all_of(inner, [](const auto& entry) { return entry.second == 0; }),
-            name(w) + " has pieces that do not fit");
+    for (const auto& [edge, of_pieces] : directions) {
+      const bool inside = of_pieces.size() == 2 && of_pieces[0] + of_pieces[1] == 0;
+      const bool on_side = of_pieces.size() == 1 && is_on_side(w, edge);
+      require(inside || on_side, name(w) + " has pieces that do not fit along mesh edge " + std::to_string(edge.value));
+    }
+  }
+
+  [[nodiscard]] bool is_on_side(WholeId w, MeshEdgeId edge) const {
+    const auto corners = cuts_.wholes[w.index()];
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const auto on_line = [&](VertexId v) {
+        return collinear(mesh_, corners[i], corners[(i + 1) % corners.size()], v);
+      };
+      if (on_line(mesh_.edges[edge.index()][0]) && on_line(mesh_.edges[edge.index()][1])) return true;
+    }
+    return false;
   }
 
   // No piece of a is passed through by b.

@@ -1,9 +1,7 @@
 #include "reconstruct/facet_border.h"
 
 #include <algorithm>
-#include <array>
 #include <map>
-#include <utility>
 
 namespace sightline {
 namespace {
@@ -57,42 +55,58 @@ std::vector<BorderPoint> facet_border(const Mesh& mesh, const EdgePoints& edge_p
 
 namespace {
 
-// A piece's edge on the border of its whole.
-struct BorderEdge {
+// An edge of a piece, in the piece's direction.
+struct PieceEdge {
   VertexId from;
   MeshEdgeId edge;
+  bool forward = false;  // along the mesh edge
 };
 
-// Those on the side of a whole that starts at `from`, in its direction.
-std::vector<BorderEdge> edges_on_side(const Mesh& mesh, WholeId whole, VertexId from, VertexId to) {
-  const auto welded = [&](VertexId v) { return mesh.weld[v.index()]; };
-  const std::array side{std::min(welded(from), welded(to)), std::max(welded(from), welded(to))};
-  std::map<VertexId, std::pair<BorderEdge, VertexId>> next;  // by where an edge starts: the edge, and where it ends
+// Those on the border of a whole: inside it each edge has two pieces.
+std::vector<PieceEdge> border_edges(const Mesh& mesh, WholeId whole) {
+  std::vector<PieceEdge> edges;
   const auto& first = mesh.cuts.first_facet;
   for (std::size_t f = first[whole.index()].index(); f < first[whole.index() + 1].index(); ++f) {
     const auto corners = mesh.corners(FacetId(f));
     for (std::size_t i = 0; i < corners.size(); ++i) {
       const MeshEdgeId e = mesh.edges_of(FacetId(f))[i];
-      const auto& ends = mesh.cuts.input_edge[e.index()];
-      if (std::array{std::min(ends[0], ends[1]), std::max(ends[0], ends[1])} != side) continue;
-      next[welded(corners[i])] = {{corners[i], e}, welded(corners[(i + 1) % corners.size()])};
+      edges.push_back({corners[i], e, mesh.weld[corners[i].index()] == mesh.edges[e.index()][0]});
     }
   }
-  std::vector<BorderEdge> result;
-  for (VertexId v = welded(from); v != welded(to); v = next.at(v).second) result.push_back(next.at(v).first);
+  std::ranges::sort(edges, {}, &PieceEdge::edge);
+  std::vector<PieceEdge> border;
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const bool inside =
+        (i > 0 && edges[i - 1].edge == edges[i].edge) || (i + 1 < edges.size() && edges[i + 1].edge == edges[i].edge);
+    if (!inside) border.push_back(edges[i]);
+  }
+  return border;
+}
+
+// In order around the whole.
+std::vector<PieceEdge> linked(const Mesh& mesh, const std::vector<PieceEdge>& border, VertexId start) {
+  std::map<VertexId, PieceEdge> leaving;
+  for (const PieceEdge& e : border) leaving[mesh.weld[e.from.index()]] = e;
+  std::vector<PieceEdge> result;
+  for (VertexId v = mesh.weld[start.index()]; result.size() < border.size();) {
+    result.push_back(leaving.at(v));
+    v = mesh.edges[result.back().edge.index()][result.back().forward ? 1 : 0];
+  }
   return result;
 }
 
 }  // namespace
 
 std::vector<BorderPoint> whole_border(const Mesh& mesh, const EdgePoints& edge_points, WholeId whole) {
-  const auto corners = mesh.cuts.wholes[whole.index()];
+  const auto edges = linked(mesh, border_edges(mesh, whole), mesh.cuts.wholes[whole.index()].front());
+  std::vector<VertexId> corners;
+  for (const PieceEdge& e : edges) corners.push_back(e.from);
   const auto sides = straight_sides(mesh, corners);
   std::vector<BorderPoint> border;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    for (const auto& [from, edge] : edges_on_side(mesh, whole, corners[i], corners[(i + 1) % corners.size()])) {
-      border.push_back({from, sides[i]});
-      for (const EdgePoint& p : along(mesh, edge_points, edge, from)) border.push_back({p.vertex, sides[i]});
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    border.push_back({corners[i], sides[i]});
+    for (const EdgePoint& p : along(mesh, edge_points, edges[i].edge, corners[i])) {
+      border.push_back({p.vertex, sides[i]});
     }
   }
   return border;

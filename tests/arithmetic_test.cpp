@@ -72,7 +72,7 @@ Camera looking_at(const Mesh& mesh, double distance) {
   double size = 0;
   for (const Point3& v : mesh.vertices) size = std::max({size, std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
   const Point3 eye{distance * size, distance * size / 3, distance * size};
-  return perspective_camera("extreme", {.eye = eye, .target = {0, 0, 0}}, 40);
+  return perspective_camera("extreme", {eye, {0, 0, 0}, {0, 1, 0}, 1, {}, {}}, 40);
 }
 
 // Two squares that cover each other seen from far up z; the nearer one is the second, by `gap`.
@@ -87,7 +87,7 @@ Mesh two_sheets(double gap) {
   return build_mesh(std::move(vertices), std::move(faces));
 }
 
-Camera from_above() { return orthographic_camera("above", {.eye = {0, 0, 10}, .target = {0, 0, 0}}, 4); }
+Camera from_above() { return orthographic_camera("above", {{0, 0, 10}, {0, 0, 0}, {0, 1, 0}, 1, {}, {}}, 4); }
 
 std::size_t visible_face(const Mesh& mesh, Arithmetic arithmetic) {
   const View view = analyze(mesh, from_above(), Sides::both, nullptr, {arithmetic});
