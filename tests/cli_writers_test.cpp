@@ -14,6 +14,7 @@
 #include "cli/faces_table.h"
 #include "cli/labelled_obj.h"
 #include "cli/labelled_ply.h"
+#include "cli/memory_limit.h"
 #include "cli/report.h"
 #include "cli/scene_file.h"
 #include "cli/segments_table.h"
@@ -47,7 +48,7 @@ Analysed analysed(const std::string& scene_file, std::size_t camera) {
   Progress silent(false);
   Analysed result;
   result.scene = read_scene_file(std::string(SIGHTLINE_FIXTURES_DIR) + "/" + scene_file);
-  result.input = read_mesh(result.scene.mesh_file, silent);
+  result.input = read_mesh(result.scene.mesh_file, default_memory_limit(), silent);
   result.analysis = analyze_view(result.input, result.scene.cameras[camera], result.scene.sides, {}, silent);
   result.faces = measure_faces(result.input.mesh, result.analysis.view);
   return result;
