@@ -7,6 +7,7 @@
 
 #include "cli/foreign_files.h"
 #include "cli/output_folder.h"
+#include "command_runner.h"
 #include "result_snapshot.h"
 
 using namespace sightline;
