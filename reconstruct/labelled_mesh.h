@@ -2,9 +2,10 @@
 //
 // In:  mesh, projected scene, visible segments and polygons.
 // Out: LabelledMesh.
-// Holds (validate(labelled, mesh) checks it):
+// Holds (validate(labelled, mesh, scene) checks it):
 //   - the first vertices are the input's, bit for bit and in order;
-//   - the triangles of a face have its orientation (but for some that are narrower than the grid), and together its area;
+//   - the triangles of a face have its orientation, but for some that are narrower than the grid in the image, where
+//     rounding has bent what was straight; together they have its area;
 //   - conforming: what splits an edge splits it for all faces on it, so that a mesh edge with two faces yields pieces
 //     with two triangles each; closed in, closed out;
 //   - skipped faces have no triangle.
@@ -51,6 +52,7 @@ struct LabelledMesh {
                                       const VisiblePolygons& polygons);
 
 // What of the above does not hold, one line each, with the ids; empty for a valid value.
-[[nodiscard]] std::vector<std::string> validate(const LabelledMesh& labelled, const Mesh& mesh);
+[[nodiscard]] std::vector<std::string> validate(const LabelledMesh& labelled, const Mesh& mesh,
+                                                const ProjectedScene& scene);
 
 }  // namespace sightline

@@ -12,7 +12,6 @@ using namespace sightline;
 
 namespace {
 
-
 Mesh mesh_of(const std::vector<std::vector<Point3>>& polygons) {
   std::vector<Point3> vertices;
   PolygonList faces;

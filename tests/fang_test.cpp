@@ -204,7 +204,7 @@ TEST_CASE("worked example: visible polygons ABCDE, OFDCIQ and PHG with their exa
 TEST_CASE("worked example: the labelled mesh splits the triangle along the pentagon and nothing else") {
   const Mesh mesh = worked_example();
   const View view = analyze(mesh, camera());
-  CHECK(validate(view.labelled, mesh).empty());
+  CHECK(validate(view.labelled, mesh, view.scene).empty());
   std::array<double, 2> visible{};
   std::array<double, 2> hidden{};
   for (const LabelledTriangle& t : view.labelled.triangles) {

@@ -398,14 +398,20 @@ Mesh tetrahedron() {
 const std::vector<Split> tetrahedron_splits{{VertexId(0), VertexId(1), {1, 0, 0}},
                                             {VertexId(1), VertexId(2), {2, 2, 0}}};
 
+// Seen from a side that shows no triangle edge-on.
+Messages validated(const LabelledMesh& labelled, const Mesh& mesh) {
+  const Camera camera = orthographic_camera("any", {{3, 5, 9}, {0, 0, 0}, {0, 1, 0}, 1, {}, {}}, 30);
+  return validate(labelled, mesh, project(mesh, camera, Sides::both));
+}
+
 TEST_CASE("the checker of labelled meshes is silent on right values") {
   const Mesh closed = tetrahedron();
-  CHECK(validate(refined(closed, {}), closed) == Messages{});
-  CHECK(validate(refined(closed, tetrahedron_splits), closed) == Messages{});
+  CHECK(validated(refined(closed, {}), closed) == Messages{});
+  CHECK(validated(refined(closed, tetrahedron_splits), closed) == Messages{});
   // Three faces on one edge, in no common orientation; the ends of the third are vertices of its own.
   const Mesh fan = mesh_of({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}, {0, -4, 1}, {0, 0, 0}, {4, 0, 0}},
                            {{0, 1, 2}, {0, 1, 3}, {5, 6, 4}});
-  CHECK(validate(refined(fan, {{VertexId(0), VertexId(1), {1, 0, 0}}}), fan) == Messages{});
+  CHECK(validated(refined(fan, {{VertexId(0), VertexId(1), {1, 0, 0}}}), fan) == Messages{});
   // A face of two facets that is not planar, split on the edge between them.
   const Mesh warped = mesh_of({{0, 0, 0}, {4, 0, 0}, {4, 4, 2}, {0, 4, 0}}, {{0, 1, 2, 3}});
   REQUIRE(warped.facet_count() == 2);
@@ -413,7 +419,7 @@ TEST_CASE("the checker of labelled meshes is silent on right values") {
       std::ranges::find_if(warped.edges, [&](const auto& ends) { return ends[1].value - ends[0].value == 2; });
   REQUIRE(inner != warped.edges.end());
   const Point3 middle = 0.5 * (warped.position((*inner)[0]) + warped.position((*inner)[1]));
-  CHECK(validate(refined(warped, {{(*inner)[0], (*inner)[1], middle}}), warped) == Messages{});
+  CHECK(validated(refined(warped, {{(*inner)[0], (*inner)[1], middle}}), warped) == Messages{});
   // Coordinates whose squares are beyond the range of double.
   for (const double scale : {0x1p-1000, 0x1p+1000}) {
     std::vector<Split> splits = tetrahedron_splits;
@@ -421,7 +427,7 @@ TEST_CASE("the checker of labelled meshes is silent on right values") {
     std::vector<Point3> vertices = closed.vertices;
     for (Point3& p : vertices) p = scale * p;
     const Mesh scaled = build_mesh(vertices, closed.faces);
-    CHECK(validate(refined(scaled, splits), scaled) == Messages{});
+    CHECK(validated(refined(scaled, splits), scaled) == Messages{});
   }
 }
 
@@ -429,7 +435,7 @@ TEST_CASE("borders that touch themselves conform") {
   // Two triangles of one face that share a corner: two ways lead on from there.
   const Mesh bow = mesh_of({{0, 0, 0}, {4, 0, 0}, {2, 2, 0}, {4, 4, 0}, {0, 4, 0}}, {{0, 1, 2, 3, 4, 2}});
   REQUIRE(bow.facet_count() == 2);
-  CHECK(validate(refined(bow, {{VertexId(2), VertexId(3), {3, 3, 0}}, {VertexId(1), VertexId(2), {3, 1, 0}}}), bow) ==
+  CHECK(validated(refined(bow, {{VertexId(2), VertexId(3), {3, 3, 0}}, {VertexId(1), VertexId(2), {3, 1, 0}}}), bow) ==
         Messages{});
   // A frame around a hole, with a slit from 0 to 6 that has one more corner, 8, on the way back; the way there is split
   // at its place.
@@ -439,8 +445,8 @@ TEST_CASE("borders that touch themselves conform") {
   REQUIRE(frame.facet_count() > 1);
   REQUIRE(std::ranges::count(frame.edges, std::array{VertexId(0), VertexId(6)}) == 1);
   REQUIRE(std::ranges::count(frame.edges, std::array{VertexId(0), VertexId(8)}) == 1);
-  CHECK(validate(refined(frame, {}), frame) == Messages{});
-  CHECK(validate(refined(frame, {{VertexId(0), VertexId(6), {1, 1, 0}}}), frame) == Messages{});
+  CHECK(validated(refined(frame, {}), frame) == Messages{});
+  CHECK(validated(refined(frame, {{VertexId(0), VertexId(6), {1, 1, 0}}}), frame) == Messages{});
 }
 
 const std::vector<Breakage<LabelledMesh>> broken_labelled{
@@ -468,7 +474,7 @@ TEST_CASE("validate reports what is broken in a labelled mesh") {
   for (const auto& [part, break_it] : broken_labelled) {
     LabelledMesh labelled = refined(mesh, tetrahedron_splits);
     break_it(labelled);
-    check_reported(validate(labelled, mesh), part);
+    check_reported(validated(labelled, mesh), part);
   }
 }
 
@@ -479,7 +485,7 @@ TEST_CASE("validate reports an edge that is split for one of its faces only") {
     labelled.vertices = refined(mesh, tetrahedron_splits).vertices;
     for (std::size_t f = 0; f < mesh.facet_count(); ++f)
       add_facet(labelled, mesh, FacetId(f), f == whole ? std::vector<Split>{} : tetrahedron_splits);
-    const Messages messages = validate(labelled, mesh);
+    const Messages messages = validated(labelled, mesh);
     INFO("whole: " << whole);
     const bool has_split_edge = whole != 3;
     CHECK(messages.empty() != has_split_edge);
@@ -491,7 +497,7 @@ TEST_CASE("validate reports a border that is missing") {
   const Mesh mesh = mesh_of({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}, {{0, 1, 2}});
   LabelledMesh labelled = refined(mesh, {});
   labelled.triangles.clear();
-  const Messages messages = validate(labelled, mesh);
+  const Messages messages = validated(labelled, mesh);
   check_reported(messages, "face 0 has triangles of another area");
   check_reported(messages, "face 0 has no border along mesh edge 0");
 }

@@ -63,7 +63,7 @@ Complaints complaints_of_stages(const Mesh& mesh, const View& view) {
   append(complaints, "scene: ", validate(view.scene));
   append(complaints, "segments: ", validate(view.segments, view.scene));
   append(complaints, "polygons: ", validate(view.polygons, mesh, view.scene, view.segments));
-  append(complaints, "labelled: ", validate(view.labelled, mesh));
+  append(complaints, "labelled: ", validate(view.labelled, mesh, view.scene));
   return complaints;
 }
 
