@@ -56,6 +56,12 @@ SidesPolicy read_sides(const TomlReader& mesh) {
   return *policy;
 }
 
+std::string read_file_name(const TomlReader& mesh) {
+  std::string name = mesh.text("file");
+  if (name.find('\0') != std::string::npos) mesh.fail("file", "'file' has a NUL character; no file is called so");
+  return name;
+}
+
 // One element of [[camera]].
 TomlReader camera_table(const toml::node& element, const std::string& path) {
   const std::size_t line = element.source().begin.line;
@@ -107,7 +113,7 @@ Scene parse_scene(std::string_view text, const std::string& path) {
   mesh.allow_only({"file", "sides"});
   Scene scene;
   scene.file = path;
-  scene.mesh_file = (std::filesystem::path(path).parent_path() / mesh.text("file")).string();
+  scene.mesh_file = (std::filesystem::path(path).parent_path() / read_file_name(mesh)).string();
   scene.sides = read_sides(mesh);
   scene.cameras = read_cameras(root, path);
   return scene;

@@ -1,7 +1,7 @@
 // The policy for the public collection of malformed OBJ files, one table row per file.
 #include <doctest/doctest.h>
 
-#include "tests/obj_case.h"
+#include "tests/command_case.h"
 
 namespace {
 
@@ -196,6 +196,14 @@ TEST_CASE_FIXTURE(SharedFolder, "collection: mutated files are refused, or read 
     }
   }
   CHECK(refused > files.size() / 2);
+}
+
+TEST_CASE_FIXTURE(SharedFolder, "collection: the command does with every file what its row says") {
+  if (!is_there()) return;
+  for (const auto& table : {empty_scenes, index_cases, number_cases, text_cases, defect_cases, polygon_cases}) {
+    for (const ObjCase& c : table) check_command(path, c);
+  }
+  for (const std::string& file : files_in(path / "afl")) check_command_does_as_reader(path / "afl" / file);
 }
 
 // Each edge of a closed surface has an even number of faces.

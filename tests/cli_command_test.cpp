@@ -2,7 +2,6 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -46,15 +45,6 @@ Json without_costs(const std::string& report) {
 
 std::vector<std::string> mesh_arguments(const std::string& mesh) {
   return {"analyze", mesh, "--eye", "8,8,30", "--target", "8,8,0", "--fov-y", "40"};
-}
-
-std::filesystem::path shared_folder() {
-  const char* folder = std::getenv("SIGHTLINE_SHARED");
-#ifdef SIGHTLINE_SHARED_DIR
-  return folder != nullptr ? folder : SIGHTLINE_SHARED_DIR;
-#else
-  return folder != nullptr ? folder : "";
-#endif
 }
 
 }  // namespace
@@ -185,29 +175,5 @@ TEST_CASE("a wrong command line ends with exit code 2 and one line; help and ver
     CHECK(run.exit_code == 0);
     CHECK_FALSE(run.out.empty());
     CHECK(run.err.empty());
-  }
-}
-
-TEST_CASE("malformed and hostile meshes end with exit code 0 or 1, and at most one line of error") {
-  const std::filesystem::path folder = shared_folder() / "bad-obj";
-  if (!std::filesystem::is_directory(folder)) {
-    MESSAGE("no folder " << folder.string() << ", nothing to do");
-    return;
-  }
-  std::vector<std::string> files;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
-    if (entry.is_regular_file() && entry.path().extension() != ".md") files.push_back(entry.path().string());
-  }
-  std::sort(files.begin(), files.end());
-  CHECK_FALSE(files.empty());
-  for (const std::string& file : files) {
-    INFO(file);
-    const TemporaryFolder out;
-    const RunResult run = run_sightline({"analyze", file, "--eye", "3,4,5", "--target", "0,0,0", "--fov-y", "60", "-o",
-                                         out.path().string(), "--quiet"});
-    INFO(run.err);
-    CHECK(run.exit_code <= 1);
-    if (run.exit_code == 1) check_one_line(run.err);
-    CHECK(names_in(out.path()) == (run.exit_code == 0 ? std::set<std::string>{"view"} : std::set<std::string>{}));
   }
 }

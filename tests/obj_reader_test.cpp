@@ -11,7 +11,7 @@
 #include <limits>
 #include <random>
 
-#include "tests/obj_case.h"
+#include "tests/command_case.h"
 
 #define TINYOBJLOADER_USE_DOUBLE
 #define TINYOBJLOADER_IMPLEMENTATION
@@ -118,6 +118,12 @@ TEST_CASE("indices") { check_cases(fixtures, index_cases); }
 TEST_CASE("numbers") { check_cases(fixtures, number_cases); }
 TEST_CASE("faces with a defect are skipped or mended, counted and listed") { check_cases(fixtures, defect_cases); }
 TEST_CASE("faces of any shape are divided right") { check_cases(fixtures, polygon_cases); }
+
+TEST_CASE("the command does with every file in fixtures/bad-obj what its row says") {
+  for (const auto& table : {text_cases, index_cases, number_cases, defect_cases, polygon_cases}) {
+    for (const ObjCase& c : table) check_command(fixtures, c);
+  }
+}
 
 TEST_CASE("a file that cannot be read is an error without a line") {
   CHECK_THROWS_WITH_AS((void)read_obj(fixtures / "absent.obj"), doctest::Contains("absent.obj: cannot be opened"),
