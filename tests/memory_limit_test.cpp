@@ -28,7 +28,7 @@ TEST_CASE("bytes with and without a suffix") {
   CHECK(parse_bytes("2M") == 2 * 1024 * 1024);
   CHECK(parse_bytes("5G") == 5 * gibibyte);
   CHECK(parse_bytes("1T") == 1024 * gibibyte);
-  CHECK(parse_bytes("16777215T") == 16777215 * 1024 * gibibyte);
+  CHECK(parse_bytes("16777215T") == std::uint64_t{16777215} * 1024 * gibibyte);
   for (const char* wrong : {"", "G", "-1", "+1", "1.5G", "1 G", "1g", "1GB", "1GG", "0x10", "16777216T", "1e9",
                             "18446744073709551616", "99999999999999999999G"}) {
     INFO(wrong);
