@@ -12,6 +12,12 @@ function(sightline_compile_options target)
       $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overread>
       $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   endif()
+  get_target_property(sources ${target} SOURCES)
+  list(LENGTH sources source_count)
+  if(SIGHTLINE_PRECOMPILE_HEADERS AND source_count GREATER 2)
+    target_precompile_headers(${target} PRIVATE <algorithm> <array> <boost/multiprecision/cpp_int.hpp> <cmath> <map>
+      <optional> <span> <string> <vector>)
+  endif()
   if(SIGHTLINE_WARNINGS_AS_ERRORS)
     target_compile_options(${target} PRIVATE -Werror)
   endif()
