@@ -31,7 +31,22 @@ void NodeList::add(const EdgeSide& side, DepthOrder& depth, NodeOrder order) {
     return;
   }
   found->winding += side.winding;
-  if (found->winding == 0) nodes_.erase(found);
+  if (found->winding != 0) return;
+  const auto after = nodes_.erase(found);
+  if (order == NodeOrder::depth && after != nodes_.begin() && after != nodes_.end() &&
+      !depth.nearer((after - 1)->facet, after->facet)) {
+    sort_by_depth(depth);
+  }
+}
+
+// The facet that has left was a phantom, over the span in the rounded image only: others came on the wrong side of each
+// other because of their order with it. Insertion sort ends whatever the order is.
+void NodeList::sort_by_depth(DepthOrder& depth) {
+  for (std::size_t i = 1; i < nodes_.size(); ++i) {
+    for (std::size_t k = i; k > 0 && depth.nearer(nodes_[k].facet, nodes_[k - 1].facet); --k) {
+      std::swap(nodes_[k], nodes_[k - 1]);
+    }
+  }
 }
 
 void NodeList::insert(const Node& node, DepthOrder& depth, NodeOrder order) {

@@ -1,6 +1,6 @@
 // The node list: the facets over one span of the sweep line, shallowest first (Fang 5.3.1).
 //
-// Holds: no facet twice, no winding number 0. Lists with the same contents that are kept by tournament have the same
+// Holds: no facet twice, no winding number 0; in the order of depth, each node is nearer than the next. Lists with the same contents that are kept by tournament have the same
 // topmost facet. Right of a bundle = left of it, minus the facets that leave, plus those that enter.
 #pragma once
 
@@ -43,6 +43,7 @@ class NodeList {
  private:
   void add(const EdgeSide& side, DepthOrder& depth, NodeOrder order);
   void insert(const Node& node, DepthOrder& depth, NodeOrder order);
+  void sort_by_depth(DepthOrder& depth);
   [[nodiscard]] FacetId find_topmost(DepthOrder& depth, NodeOrder order) const;
 
   boost::container::small_vector<Node, 4> nodes_;
