@@ -1,0 +1,29 @@
+// What a fuzzer asks of sightline, a function per target. libFuzzer calls them with inputs that it makes up (target.cpp),
+// the tests with every file of corpus/ (tests/fuzz_corpus_test.cpp).
+//
+// In:  any bytes. Out: nothing; the call returns.
+// Errors: Finding where a promise of sightline is broken: what() says which. Any other exception is a finding as well.
+#pragma once
+
+#include <stdexcept>
+#include <string_view>
+
+namespace sightline::fuzz {
+
+class Finding : public std::logic_error {
+  using std::logic_error::logic_error;
+};
+
+// The bytes are an OBJ file: it is read or refused with InputError, the mesh is valid, and where it is small a fixed
+// camera's view of it is valid at every stage.
+void check_obj(std::string_view bytes);
+
+// The bytes are a scene file: it is read or refused with InputError, without opening any file; and every camera that
+// comes of it sees a fixed small mesh, valid at every stage.
+void check_scene_file(std::string_view bytes);
+
+// The bytes choose a camera and up to eight faces of three to five corners on a small grid: every stage is valid, and
+// the visible area of each face equals the oracle's as a rational number.
+void check_sweep(std::string_view bytes);
+
+}  // namespace sightline::fuzz

@@ -1,0 +1,42 @@
+#include <optional>
+
+#include "fuzz/checks.h"
+#include "fuzz/refusal.h"
+#include "geometry/obj_reader.h"
+#include "tests/oracle/judge.h"
+
+namespace sightline::fuzz {
+namespace {
+
+// Views of larger meshes would leave the fuzzer few inputs per second.
+constexpr std::size_t most_facets = 40;
+
+std::optional<ObjFile> read_or_refused(std::string_view text) {
+  const std::string name = "input.obj";
+  try {
+    return read_obj(text, name);
+  } catch (const InputError& refusal) {
+    check_refusal(refusal, text, name);
+    return std::nullopt;
+  }
+}
+
+void require_none(const oracle::Complaints& complaints) {
+  if (!complaints.empty()) throw Finding(oracle::joined(complaints));
+}
+
+}  // namespace
+
+void check_obj(std::string_view bytes) {
+  const auto file = read_or_refused(bytes);
+  if (!file) return;
+  require_none(validate(file->mesh));
+  if (file->mesh.facet_count() > most_facets) return;
+  const ViewPoint view{{3, 2, 4}, {0, 0, 0}, {0, 1, 0}, 1, {}, {}};
+  const Camera camera = perspective_camera("fixed", view, 50);
+  const MeshContacts contacts = find_contacts(file->mesh);
+  const Sides sides = decide_sides(file->mesh, contacts, camera, SidesPolicy::automatic).sides;
+  require_none(oracle::complaints_of_stages(file->mesh, analyze(file->mesh, camera, sides)));
+}
+
+}  // namespace sightline::fuzz

@@ -1,0 +1,68 @@
+#include <optional>
+
+#include "cli/camera_name.h"
+#include "cli/scene_file.h"
+#include "fuzz/checks.h"
+#include "fuzz/no_files.h"
+#include "fuzz/refusal.h"
+#include "tests/oracle/judge.h"
+
+namespace sightline::fuzz {
+namespace {
+
+std::optional<Scene> read_or_refused(std::string_view text) {
+  const std::string path = "folder/input.toml";
+  try {
+    const NoFiles no_files;
+    Scene scene = parse_scene(text, path);
+    if (NoFiles::was_tried()) throw Finding("a file was opened");
+    return scene;
+  } catch (const InputError& refusal) {
+    check_refusal(refusal, text, path);
+    return std::nullopt;
+  }
+}
+
+void check_names(const Scene& scene) {
+  if (scene.cameras.empty()) throw Finding("a scene without cameras");
+  for (std::size_t i = 0; i < scene.cameras.size(); ++i) {
+    const std::string& name = scene.cameras[i].name;
+    if (camera_name_defect(name)) throw Finding("a camera's name is no folder's: " + name);
+    for (std::size_t j = 0; j < i; ++j) {
+      if (scene.cameras[j].name == name) throw Finding("two cameras are called " + name);
+    }
+  }
+}
+
+// A tetrahedron around the origin with one face missing, and a square behind it.
+Mesh small_mesh() {
+  PolygonList faces;
+  faces.push_back(std::array{VertexId(0), VertexId(1), VertexId(2)});
+  faces.push_back(std::array{VertexId(0), VertexId(3), VertexId(1)});
+  faces.push_back(std::array{VertexId(1), VertexId(3), VertexId(2)});
+  faces.push_back(std::array{VertexId(4), VertexId(5), VertexId(6), VertexId(7)});
+  return build_mesh(
+      {{1, 1, 1}, {-1, 1, -1}, {1, -1, -1}, {-1, -1, 1}, {-2, -2, -3}, {2, -2, -3}, {2, 2, -3}, {-2, 2, -3}},
+      std::move(faces));
+}
+
+void check_view(const Mesh& mesh, const Camera& camera, SidesPolicy policy) {
+  const Sides sides = decide_sides(mesh, find_contacts(mesh), camera, policy).sides;
+  const auto complaints = oracle::complaints_of_stages(mesh, analyze(mesh, camera, sides));
+  if (!complaints.empty()) throw Finding("camera " + camera.name + ": " + oracle::joined(complaints));
+}
+
+}  // namespace
+
+void check_scene_file(std::string_view bytes) {
+  const auto scene = read_or_refused(bytes);
+  if (!scene) return;
+  check_names(*scene);
+  const Mesh mesh = small_mesh();
+  constexpr std::size_t enough = 4;
+  for (std::size_t i = 0; i < std::min(enough, scene->cameras.size()); ++i) {
+    check_view(mesh, scene->cameras[i], scene->sides);
+  }
+}
+
+}  // namespace sightline::fuzz

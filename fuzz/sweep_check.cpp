@@ -1,0 +1,63 @@
+#include <cmath>
+
+#include "fuzz/checks.h"
+#include "fuzz/chosen_scene.h"
+#include "oracle/truth.h"
+#include "tests/oracle/judge.h"
+
+namespace sightline::fuzz {
+namespace {
+
+// Whether every image, clipped, has its corners on the integer oracle's grid.
+bool is_on_the_grid(const Mesh& mesh, const oracle::RandomScene& scene) {
+  try {
+    return oracle::oracle_faces(mesh, scene.camera, scene.sides).size() <= mesh.facet_count();
+  } catch (const std::logic_error&) {
+    return false;
+  }
+}
+
+double length(const ProjectedScene& scene, EdgeId e) {
+  const ImagePoint& top = scene.point(scene.edge(e).top);
+  const ImagePoint& bottom = scene.point(scene.edge(e).bottom);
+  return std::ldexp(std::hypot(static_cast<double>(bottom.x - top.x), static_cast<double>(bottom.y - top.y)),
+                    -scene.grid_bits);
+}
+
+// Visible areas are bounded by the scene's edges, and rounding moves these by less than one spacing of the grid: so no
+// area is off by more than their length times that spacing.
+double rounding_bound(const ProjectedScene& scene) {
+  double total = 0;
+  for (std::size_t e = 0; e < scene.edge_count(); ++e) total += length(scene, EdgeId(e));
+  return std::ldexp(total, -scene.grid_bits);
+}
+
+oracle::Complaints differences_from_truth(const Mesh& whole, const oracle::RandomScene& scene, const View& view) {
+  const oracle::Truth truth = oracle::true_visibility(whole, scene.camera, scene.sides);
+  std::vector<double> areas(whole.face_count());
+  for (const VisiblePolygon& polygon : view.polygons.polygons) areas[polygon.face.index()] += polygon.area;
+  oracle::Complaints complaints;
+  for (std::size_t f = 0; f < areas.size(); ++f) {
+    const double expected = truth.visible_area[f].convert_to<double>();
+    if (std::fabs(areas[f] - expected) <= rounding_bound(view.scene)) continue;
+    complaints.push_back("visible area of face " + std::to_string(f) + " is " + std::to_string(areas[f]) +
+                         ", the oracle says " + std::to_string(expected));
+  }
+  return complaints;
+}
+
+}  // namespace
+
+void check_sweep(std::string_view bytes) {
+  const oracle::RandomScene scene = chosen_scene(bytes);
+  const Mesh whole = oracle::mesh_of(scene);
+  const Mesh mesh = oracle::cut(whole);
+  const View view = analyze(mesh, scene.camera, scene.sides);
+  oracle::Complaints complaints = oracle::complaints_of_stages(mesh, view);
+  const bool exact = !mesh.is_cut() && is_on_the_grid(whole, scene);
+  const auto more = exact ? oracle::judge(scene).complaints : differences_from_truth(whole, scene, view);
+  complaints.insert(complaints.end(), more.begin(), more.end());
+  if (!complaints.empty()) throw Finding(oracle::joined(complaints) + oracle::to_text(scene));
+}
+
+}  // namespace sightline::fuzz
