@@ -23,7 +23,8 @@ void check_obj(std::string_view bytes);
 void check_scene_file(std::string_view bytes);
 
 // The bytes choose a camera and up to eight faces of three to five corners on a small grid: every stage is valid, and
-// the visible area of each face equals the oracle's as a rational number.
+// the visible area of each face equals an oracle's: as a rational number where no faces pass through each other and all
+// images lie on the integer oracle's grid, else within what rounding to the grid explains.
 void check_sweep(std::string_view bytes);
 
 }  // namespace sightline::fuzz
