@@ -161,6 +161,7 @@ TEST_CASE("a notch narrower than the grid turns a concave face's border over: no
     REQUIRE_NOTHROW(result = analyze(mesh, orthographic_camera("above", view, 2)));
     CHECK(validate(result.segments, result.scene).empty());
     CHECK(validate(result.polygons, mesh, result.scene, result.segments).empty());
+    CHECK(validate(result.labelled, mesh, result.scene).empty());
     const auto seen = [](const LabelledTriangle& t) { return t.face == FaceId(0) && t.label == Label::visible; };
     CHECK(std::any_of(result.labelled.triangles.begin(), result.labelled.triangles.end(), seen));
   }
