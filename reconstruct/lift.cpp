@@ -1,6 +1,9 @@
 #include "reconstruct/lift.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <tuple>
 
 namespace sightline {
@@ -19,18 +22,31 @@ Wide512 scaled_area(const ImagePoint& a, const ImagePoint& b, const ExactPoint& 
 
 bool position_before(const Point3& a, const Point3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); }
 
+// Weights W in units of about the smallest of them: ratios are all that counts, and of denormal numbers products would
+// vanish and quotients overflow. A weight that was rounded to 0 is taken as the smallest double; one that is 2^1000
+// times another is cut off there.
+template <std::size_t N>
+std::array<double, N> relative_weights(std::array<double, N> weights) {
+  const double least = *std::min_element(weights.begin(), weights.end());
+  const double unit = std::max(least, std::numeric_limits<double>::denorm_min());
+  for (double& w : weights) w = std::min(std::scalbn(std::max(w, unit), -std::ilogb(unit)), 0x1p1000);
+  return weights;
+}
+
 // The point at image fraction s between a and b: perspective weights turn it into the fraction on the edge.
 Point3 between(const ClippedCorner& a, const ClippedCorner& b, double s) {
-  const double t = s * a.w / ((1 - s) * b.w + s * a.w);
+  const auto [w_a, w_b] = relative_weights(std::array{a.w, b.w});
+  const double t = s * w_a / ((1 - s) * w_b + s * w_a);
   return a.position + t * (b.position - a.position);
 }
 
 // Barycentric in the image, divided by W, is barycentric on the facet up to a factor.
 Point3 in_triangle(const ClippedCorner& a, const ClippedCorner& b, const ClippedCorner& c,
                    const std::array<Wide512, 3>& areas) {
-  const double weight0 = static_cast<double>(areas[0]) / a.w;
-  const double weight1 = static_cast<double>(areas[1]) / b.w;
-  const double weight2 = static_cast<double>(areas[2]) / c.w;
+  const auto [w_a, w_b, w_c] = relative_weights(std::array{a.w, b.w, c.w});
+  const double weight0 = static_cast<double>(areas[0]) / w_a;
+  const double weight1 = static_cast<double>(areas[1]) / w_b;
+  const double weight2 = static_cast<double>(areas[2]) / w_c;
   const double sum = (weight0 + weight1) + weight2;
   const Point3& origin = a.position;
   return origin + ((weight1 / sum) * (b.position - origin) + (weight2 / sum) * (c.position - origin));

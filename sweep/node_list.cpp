@@ -1,46 +1,74 @@
 #include "sweep/node_list.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "geometry/mix.h"
 
 namespace sightline {
-// Facets that leave go first, so that those that enter are compared with as few as possible.
-void NodeList::cross(std::span<const EdgeSide> sides, DepthOrder& depth, NodeOrder order) {
-  const auto present = [this](FacetId f) {
-    return std::any_of(nodes_.begin(), nodes_.end(), [f](const Node& node) { return node.facet == f; });
-  };
-  boost::container::small_vector<EdgeSide, 8> entering;
-  for (const EdgeSide& side : sides) {
-    if (present(side.facet)) {
-      add(side, depth, order);
-    } else {
-      entering.push_back(side);
-    }
+namespace {
+
+// Per facet, by how much its winding number changes.
+using Changes = boost::container::small_vector<Node, 8>;
+
+template <class Nodes>
+void drop_zeros(Nodes& nodes) {
+  const auto is_zero = [](const Node& node) { return node.winding == 0; };
+  nodes.erase(std::remove_if(nodes.begin(), nodes.end(), is_zero), nodes.end());
+}
+
+// One change per facet, by facet, none of them 0. A bundle may have several sides of one facet.
+Changes changes_of(std::span<const EdgeSide> sides) {
+  Changes changes;
+  for (const EdgeSide& side : sides) changes.push_back({side.facet, side.winding});
+  std::sort(changes.begin(), changes.end(), [](const Node& a, const Node& b) { return a.facet < b.facet; });
+  for (std::size_t i = 1; i < changes.size(); ++i) {
+    if (changes[i - 1].facet == changes[i].facet) changes[i].winding += std::exchange(changes[i - 1].winding, 0);
   }
-  for (const EdgeSide& side : entering) add(side, depth, order);
+  drop_zeros(changes);
+  return changes;
+}
+
+Node* change_of(FacetId facet, Changes& changes) {
+  if (changes.empty() || facet < changes.front().facet || changes.back().facet < facet) return nullptr;
+  const auto before = [](const Node& change, FacetId f) { return change.facet < f; };
+  const auto found = std::lower_bound(changes.begin(), changes.end(), facet, before);
+  return found->facet == facet ? &*found : nullptr;
+}
+
+}  // namespace
+
+// One pass over the list, however many facets change: thousands of edges may coincide. Facets that leave go first, so
+// that those that enter are compared with as few as possible.
+void NodeList::cross(std::span<const EdgeSide> sides, DepthOrder& depth, NodeOrder order) {
+  Changes changes = changes_of(sides);
+  for (const Node& change : changes)
+    fingerprint_ += static_cast<std::uint64_t>(static_cast<std::int64_t>(change.winding)) * mix(change.facet.value);
+  for (Node& node : nodes_) {
+    if (Node* change = change_of(node.facet, changes)) node.winding += std::exchange(change->winding, 0);
+  }
+  remove_leaving(depth, order);
+  drop_zeros(changes);
+  for (const Node& entering : changes) insert(entering, depth, order);
   topmost_ = find_topmost(depth, order);
 }
 
-void NodeList::add(const EdgeSide& side, DepthOrder& depth, NodeOrder order) {
-  fingerprint_ += static_cast<std::uint64_t>(static_cast<std::int64_t>(side.winding)) * mix(side.facet.value);
-  const auto found =
-      std::find_if(nodes_.begin(), nodes_.end(), [&side](const Node& node) { return node.facet == side.facet; });
-  if (found == nodes_.end()) {
-    insert({side.facet, side.winding}, depth, order);
-    return;
+// A facet that leaves may have been a phantom, over the span in the rounded image only: others may have come on the wrong
+// side of each other because of their order with it. So those that become neighbours are compared.
+void NodeList::remove_leaving(DepthOrder& depth, NodeOrder order) {
+  bool in_order = true;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    if (nodes_[i].winding == 0) continue;
+    if (order == NodeOrder::depth && kept > 0 && nodes_[i - 1].winding == 0)
+      in_order = in_order && depth.nearer(nodes_[kept - 1].facet, nodes_[i].facet);
+    nodes_[kept++] = nodes_[i];
   }
-  found->winding += side.winding;
-  if (found->winding != 0) return;
-  const auto after = nodes_.erase(found);
-  if (order == NodeOrder::depth && after != nodes_.begin() && after != nodes_.end() &&
-      !depth.nearer((after - 1)->facet, after->facet)) {
-    sort_by_depth(depth);
-  }
+  nodes_.resize(kept);
+  if (!in_order) sort_by_depth(depth);
 }
 
-// The facet that has left was a phantom, over the span in the rounded image only: others came on the wrong side of each
-// other because of their order with it. Insertion sort ends whatever the order is.
+// Insertion sort ends whatever the order is.
 void NodeList::sort_by_depth(DepthOrder& depth) {
   for (std::size_t i = 1; i < nodes_.size(); ++i) {
     for (std::size_t k = i; k > 0 && depth.nearer(nodes_[k].facet, nodes_[k - 1].facet); --k) {

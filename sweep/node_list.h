@@ -31,7 +31,8 @@ class NodeList {
   [[nodiscard]] FacetId topmost() const { return topmost_; }
   [[nodiscard]] std::span<const Node> nodes() const { return {nodes_.data(), nodes_.size()}; }
 
-  // Crosses an edge with these sides from left to right.
+  // Crosses edges with these sides, all of one bundle, from left to right. O(d + s log s) for d facets in the list and s
+  // sides, and O(d) plus a logarithm of depth comparisons for each facet that enters.
   void cross(std::span<const EdgeSide> sides, DepthOrder& depth, NodeOrder order);
 
   // Whether both hold the same facets with the same winding numbers, in whatever order. O(1): compares a fingerprint
@@ -41,8 +42,8 @@ class NodeList {
   }
 
  private:
-  void add(const EdgeSide& side, DepthOrder& depth, NodeOrder order);
   void insert(const Node& node, DepthOrder& depth, NodeOrder order);
+  void remove_leaving(DepthOrder& depth, NodeOrder order);
   void sort_by_depth(DepthOrder& depth);
   [[nodiscard]] FacetId find_topmost(DepthOrder& depth, NodeOrder order) const;
 

@@ -212,5 +212,11 @@ TEST_CASE("node lists: shallowest first, and the same contents whatever the way"
     turned.cross(std::array{enter(0)}, depth, order);
     CHECK_FALSE(turned.topmost().valid());
     CHECK(turned.same_contents(NodeList{}));
+    // A facet with both of its sides on one bundle is not there; one that leaves and one that enters trade places.
+    turned.cross(std::array{enter(2), enter(1), leave(2)}, depth, order);
+    CHECK(turned.topmost() == FacetId(1));
+    turned.cross(std::array{enter(0), leave(1)}, depth, order);
+    CHECK(turned.topmost() == FacetId(0));
+    CHECK(turned.nodes().size() == 1);
   }
 }

@@ -1,0 +1,26 @@
+// The frame of every test of an extreme scene: reads it, checks what holds for all of them, and hands back what each
+// camera sees for the checks that are the scene's own.
+#pragma once
+
+#include "tests/extremes/checks.h"
+
+namespace sightline::extremes {
+
+struct CheckedScene {
+  Mesh mesh;
+  std::vector<Sight> sights;
+
+  [[nodiscard]] const Sight& from(std::string_view camera) const { return sight_from(sights, camera); }
+};
+
+// What a scene allows.
+struct Allowances {
+  // Where faces overlap in one plane the lower index is in front: then only the sum of the areas stays.
+  bool coplanar = false;
+  // Too many faces for the rational oracle.
+  bool large = false;
+};
+
+[[nodiscard]] CheckedScene checked(const std::string& name, const Allowances& allowances = {});
+
+}  // namespace sightline::extremes
