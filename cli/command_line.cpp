@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <string_view>
@@ -10,6 +11,7 @@
 
 #include "cli/memory_limit.h"
 #include "cli/scene_file.h"
+#include "cli/stability_families.h"
 
 namespace sightline {
 
@@ -19,6 +21,11 @@ namespace {
 struct AnalyzeTexts {
   std::string input, output, sides, eye, target, up, fov_y, aspect, arithmetic, grid_bits, max_memory;
   bool json = false;
+  bool quiet = false;
+};
+
+struct StabilityTexts {
+  std::string output, family;
   bool quiet = false;
 };
 
@@ -123,6 +130,29 @@ AnalyzeOptions options_of(const AnalyzeTexts& texts) {
   return options;
 }
 
+StabilityOptions options_of(const StabilityTexts& texts) {
+  const auto& all = stability_families();
+  const auto has_name = [&](const StabilityFamily& family) { return family.name == texts.family; };
+  StabilityOptions options{texts.output, std::nullopt, texts.quiet};
+  if (texts.family.empty()) return options;
+  if (std::none_of(all.begin(), all.end(), has_name)) {
+    std::string names;
+    for (const StabilityFamily& family : all) names += (names.empty() ? "" : ", ") + family.name;
+    throw CommandLineError(fmt::format("--family: there is no '{}'; there are {}", texts.family, names));
+  }
+  options.family = texts.family;
+  return options;
+}
+
+void declare_stability(CLI::App& stability, StabilityTexts& texts) {
+  stability.add_option("-o,--output", texts.output, "folder for stability.csv, a plot per family, and stability.html")
+      ->required()
+      ->type_name("DIR");
+  stability.add_option("--family", texts.family, "only this family of scenes (all)")->type_name("NAME");
+  stability.add_flag("--quiet", texts.quiet, "neither progress nor summary");
+  stability.footer("Example: sightline stability -o stability && xdg-open stability/stability.html");
+}
+
 void declare_analyze(CLI::App& analyze, AnalyzeTexts& texts) {
   analyze.add_option("input", texts.input, "a scene file (.toml), or a mesh (.obj) with a camera from the options")
       ->required()
@@ -149,13 +179,17 @@ void declare_analyze(CLI::App& analyze, AnalyzeTexts& texts) {
 
 bool AnalyzeOptions::input_is_scene() const { return input.ends_with(".toml") || input.ends_with(".TOML"); }
 
-std::variant<AnalyzeOptions, RequestedText> parse_command_line(int argc, const char* const* argv) {
+Request parse_command_line(int argc, const char* const* argv) {
   CLI::App app("sightline: exactly which part of every triangle of a surface a camera sees", "sightline");
   app.set_version_flag("--version", "sightline " SIGHTLINE_VERSION);
   app.require_subcommand(1);
   CLI::App* analyze = app.add_subcommand("analyze", "Label a mesh with what each camera sees of it");
   AnalyzeTexts texts;
   declare_analyze(*analyze, texts);
+  CLI::App* stability = app.add_subcommand(
+      "stability", "Measure where float, double and exact arithmetic break, on scenes that go to extremes");
+  StabilityTexts stability_texts;
+  declare_stability(*stability, stability_texts);
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
@@ -165,6 +199,7 @@ std::variant<AnalyzeOptions, RequestedText> parse_command_line(int argc, const c
   } catch (const CLI::ParseError& error) {
     throw CommandLineError(error.what());
   }
+  if (stability->parsed()) return options_of(stability_texts);
   return options_of(texts);
 }
 

@@ -1,4 +1,4 @@
-// The command line: sightline analyze SCENE.toml|MESH.obj ...
+// The command line: sightline analyze SCENE.toml|MESH.obj ..., sightline stability ...
 //
 // In:  the arguments. Out: what to do, or a text that was asked for (help, version).
 // Errors: CommandLineError, one line.
@@ -32,11 +32,19 @@ struct AnalyzeOptions {
   [[nodiscard]] bool input_is_scene() const;
 };
 
+struct StabilityOptions {
+  std::string output;                 // the folder for the results
+  std::optional<std::string> family;  // the only one to run; its name exists
+  bool quiet = false;
+};
+
 // What --help or --version asked for; print it and be done.
 struct RequestedText {
   std::string text;
 };
 
-[[nodiscard]] std::variant<AnalyzeOptions, RequestedText> parse_command_line(int argc, const char* const* argv);
+using Request = std::variant<AnalyzeOptions, StabilityOptions, RequestedText>;
+
+[[nodiscard]] Request parse_command_line(int argc, const char* const* argv);
 
 }  // namespace sightline

@@ -9,6 +9,7 @@
 #include "cli/analyze_command.h"
 #include "cli/command_line.h"
 #include "cli/durable_file.h"
+#include "cli/stability_command.h"
 
 namespace {
 
@@ -32,6 +33,8 @@ int run(int argc, const char* const* argv) {
   const auto request = sightline::parse_command_line(argc, argv);
   if (const auto* asked = std::get_if<sightline::RequestedText>(&request)) {
     print(asked->text);
+  } else if (const auto* stability = std::get_if<sightline::StabilityOptions>(&request)) {
+    print(sightline::stability_command(*stability));
   } else {
     print(sightline::analyze_command(std::get<sightline::AnalyzeOptions>(request)));
   }
@@ -45,7 +48,7 @@ int main(int argc, char** argv) {
   try {
     return run(argc, argv);
   } catch (const sightline::CommandLineError& error) {
-    return fail(command_line_is_wrong, std::string(error.what()) + "; see sightline analyze --help");
+    return fail(command_line_is_wrong, std::string(error.what()) + "; see sightline --help");
   } catch (const sightline::InternalError& error) {
     return fail(internal_error, std::string("internal error: ") + error.what() + "; please report it with the input");
   } catch (const sightline::Error& error) {

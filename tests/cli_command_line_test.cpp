@@ -10,7 +10,7 @@ using namespace sightline;
 
 namespace {
 
-std::variant<AnalyzeOptions, RequestedText> parse(const std::vector<std::string>& arguments) {
+Request parse(const std::vector<std::string>& arguments) {
   std::vector<const char*> argv{"sightline"};
   for (const std::string& argument : arguments) argv.push_back(argument.c_str());
   return parse_command_line(static_cast<int>(argv.size()), argv.data());

@@ -1,0 +1,58 @@
+#include "cli/stability_command.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <filesystem>
+
+#include "cli/output_folder.h"
+#include "cli/progress.h"
+#include "cli/stability_report.h"
+
+namespace sightline {
+
+namespace {
+
+constexpr std::array arithmetics{Arithmetic::single_precision, Arithmetic::double_precision, Arithmetic::exact};
+
+FamilyRuns runs_of(const StabilityFamily& family, Progress& progress) {
+  FamilyRuns runs{&family, {}};
+  for (const double value : family.values) {
+    progress.stage(fmt::format("{}: {:.3g}", family.title, value));
+    for (const Arithmetic arithmetic : arithmetics) runs.runs.push_back(run_stability(family, value, arithmetic));
+  }
+  return runs;
+}
+
+void write_results(const std::vector<FamilyRuns>& all, const std::string& output) {
+  const auto path = std::filesystem::absolute(output + "/.").lexically_normal().parent_path();
+  OutputFolder folder(path.parent_path(), path.filename().string());
+  folder.write("stability.csv", stability_table(all));
+  for (const FamilyRuns& runs : all) folder.write(runs.family->name + ".svg", stability_plot(runs));
+  folder.write("stability.html", stability_page(all));
+  folder.publish();
+}
+
+std::string summary(const std::vector<FamilyRuns>& all, const std::string& output) {
+  std::string text;
+  for (const FamilyRuns& runs : all) {
+    text += runs.family->title + "\n";
+    for (const Arithmetic arithmetic : arithmetics) text += "  " + finding(runs, arithmetic) + "\n";
+  }
+  return text + output + "/stability.html has the plots\n";
+}
+
+}  // namespace
+
+std::string stability_command(const StabilityOptions& options) {
+  Progress progress(!options.quiet && Progress::watched());
+  std::vector<FamilyRuns> all;
+  for (const StabilityFamily& family : stability_families()) {
+    if (!options.family || *options.family == family.name) all.push_back(runs_of(family, progress));
+  }
+  progress.stage("write the results");
+  write_results(all, options.output);
+  return options.quiet ? "" : summary(all, options.output);
+}
+
+}  // namespace sightline
