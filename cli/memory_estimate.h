@@ -1,6 +1,8 @@
-// How much memory the stages of one view need, before they run.
+// How much memory the sweep of one view and all that follows need, before they run.
 //
-// In:  the mesh and its projected scene. Out: an upper bound for scenes whose edges cross seldom.
+// In:  the mesh and its projected scene. Out: a measured upper bound (memory_estimate.cpp says how) for what the counts
+//      can tell: views with no more visible segments than two per edge. What more crossings make visible only the sweep
+//      finds out; --max-memory then ends it (memory_limit.h).
 #pragma once
 
 #include <cstdint>

@@ -8,7 +8,7 @@
 // What is refused (InputError with file and line): an index that is no integer, is 0, or names no vertex; a coordinate
 // that is missing, no decimal number (a hexadecimal one is none), not finite, or beyond the range of double; UTF-16
 // text; a file in which no statement has an OBJ keyword; a file that cannot be read; a word of more than 2^20 bytes, a
-// face of more than 20 000 corners (see most_corners), more statements than the limit on memory allows. Lines may be of
+// face of more than 10 000 corners (see most_corners), more statements than the limit on memory allows. Lines may be of
 // any length: the file is read in pieces of 1 MiB, and what is held of it are its vertices and faces.
 //
 // What is skipped, counted and listed in a warning: faces with a Defect (see mesh.h); statements with a keyword that is

@@ -26,11 +26,12 @@ struct ReadLimits {
   std::uint64_t memory = std::numeric_limits<std::uint64_t>::max();  // in bytes; see memory_for_mesh
 };
 
-// No face has more corners: one that is not convex is triangulated in O(k^2).
-constexpr std::size_t most_corners = 20000;
+// No face has more corners: one that is not convex is triangulated in O(k^2), and a star of so many corners takes a
+// quarter of a minute.
+constexpr std::size_t most_corners = 10000;
 
-// What it takes to hold the statements, to build a mesh of them, and to look for facets that meet. Measured, an upper
-// bound: obj_statements.cpp says how.
+// What it takes to hold the statements, to build a mesh of them, to look for facets that meet, and to project it: a
+// measured upper bound (obj_statements.cpp says how) where no more facets meet than there are.
 [[nodiscard]] std::uint64_t memory_for_mesh(std::uint64_t vertices, std::uint64_t corners, std::uint64_t faces);
 
 // Takes the text from the scanner, which is at its beginning. Throws InputError.
