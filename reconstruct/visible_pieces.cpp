@@ -90,8 +90,29 @@ class VisiblePieces {
       const PointId p = segments_.segments[s.index()].start;
       if (!points_.contains(p)) inside.push_back(p);
     }
-    for (const PointId p : inside) points_.add(p, inner.at(p, std::nullopt));
+    const std::vector<KnownVertex> known = vertices_on_lines();
+    for (const PointId p : inside) {
+      const auto found = std::ranges::lower_bound(known, p, {}, &KnownVertex::point);
+      const bool on_line = found != known.end() && found->point == p;
+      points_.add(p, on_line ? found->vertex : inner.at(p, std::nullopt));
+    }
     points_.sort();
+  }
+
+  struct KnownVertex {
+    PointId point;
+    VertexId vertex;
+    friend auto operator<=>(const KnownVertex&, const KnownVertex&) = default;
+  };
+
+  // Of the lines between the surface's facets, too: a common line has one vertex at a point for both faces on it.
+  [[nodiscard]] std::vector<KnownVertex> vertices_on_lines() const {
+    std::vector<KnownVertex> known;
+    for (const auto& border : surface_.borders) {
+      for (const ViewBorderPoint& p : border) known.push_back({p.image, p.border.vertex});
+    }
+    std::ranges::sort(known);
+    return known;
   }
 
   void add_line(PointId from, PointId to, bool ring) {

@@ -64,12 +64,19 @@ LatticePoint random_point(const Lattice& lattice, Dice& dice) {
           depth};
 }
 
-LatticePoint in_line(const Lattice& lattice, const LatticePoint& p, Dice& dice) {
-  const int depth = dice.any_of(lattice.depths);
+LatticePoint at_image(const Lattice& lattice, int x, int y, int depth) {
+  return {x * spread(lattice, depth), y * spread(lattice, depth), depth};
+}
+
+LatticePoint at_depth(const Lattice& lattice, const LatticePoint& p, int depth) {
   const int from = spread(lattice, p.depth);
   const int to = spread(lattice, depth);
   if (p.x * to % from != 0 || p.y * to % from != 0) return p;
   return {p.x * to / from, p.y * to / from, depth};
+}
+
+LatticePoint in_line(const Lattice& lattice, const LatticePoint& p, Dice& dice) {
+  return at_depth(lattice, p, dice.any_of(lattice.depths));
 }
 
 LatticePoint between(const Lattice& lattice, const LatticePoint& p, const LatticePoint& q) {

@@ -49,6 +49,12 @@ struct Lattice {
 [[nodiscard]] Lattice random_lattice(Dice& dice);
 [[nodiscard]] LatticePoint random_point(const Lattice& lattice, Dice& dice);
 
+// The point at a depth that has this image.
+[[nodiscard]] LatticePoint at_image(const Lattice& lattice, int x, int y, int depth);
+
+// The point at a depth with the image that p has; p where that is no whole number.
+[[nodiscard]] LatticePoint at_depth(const Lattice& lattice, const LatticePoint& p, int depth);
+
 // A point with the same image at another depth.
 [[nodiscard]] LatticePoint in_line(const Lattice& lattice, const LatticePoint& p, Dice& dice);
 

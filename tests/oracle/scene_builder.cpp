@@ -42,6 +42,26 @@ SceneNotes notes_of(const PlacedFace& face) {
   return notes;
 }
 
+// Leaves out the vertices that no face uses, except the first of them.
+void drop_unused_vertices(RandomScene& scene) {
+  std::vector<bool> used(scene.vertices.size());
+  for (const Corners& corners : scene.faces) {
+    for (const std::uint32_t c : corners) used[c] = true;
+  }
+  const auto kept = std::find(used.begin(), used.end(), false);
+  if (kept != used.end()) *kept = true;
+  std::vector<std::uint32_t> index(used.size());
+  std::vector<Point3> vertices;
+  for (std::size_t v = 0; v < used.size(); ++v) {
+    index[v] = static_cast<std::uint32_t>(vertices.size());
+    if (used[v]) vertices.push_back(scene.vertices[v]);
+  }
+  for (Corners& corners : scene.faces) {
+    for (std::uint32_t& c : corners) c = index[c];
+  }
+  scene.vertices = std::move(vertices);
+}
+
 }  // namespace
 
 std::uint32_t SceneBuilder::vertex(const LatticePoint& p) {
@@ -95,9 +115,10 @@ bool SceneBuilder::fits(Proposal& proposal) const {
   if (keys_.count(proposal.key) != 0) return false;
   for (const PlacedFace& face : proposal.pieces) {
     for (const PlacedFace& other : placed_) {
-      if (!(face.whole && other.whole) && straddle(face, other)) return false;
+      const bool may_cross = crossings_ == Crossings::allowed;
+      if (!may_cross && !(face.whole && other.whole) && straddle(face, other)) return false;
       const Relation r = relation(face, other);
-      if (r == Relation::crossing) return false;
+      if (r == Relation::crossing && !may_cross) return false;
       proposal.notes.coplanar_overlap |= r == Relation::coplanar;
     }
   }
@@ -125,6 +146,14 @@ bool SceneBuilder::add(const std::vector<Corners>& faces) {
     return false;
   }
   return true;
+}
+
+RandomScene scene_of(const SceneBuilder& builder, std::uint64_t seed, Sides sides, std::size_t most_faces) {
+  RandomScene scene{seed, builder.lattice().camera, sides, {}, builder.faces(), builder.notes()};
+  for (const LatticePoint& p : builder.points()) scene.vertices.push_back(position(builder.lattice(), p));
+  if (scene.faces.size() > most_faces) scene.faces.resize(most_faces);
+  drop_unused_vertices(scene);
+  return scene;
 }
 
 }  // namespace sightline::oracle

@@ -13,9 +13,13 @@ namespace sightline::oracle {
 
 using Corners = std::vector<std::uint32_t>;
 
+// Whether faces may pass through each other.
+enum class Crossings { none, allowed };
+
 class SceneBuilder {
  public:
-  SceneBuilder(Lattice lattice, Dice& dice) : lattice_(std::move(lattice)), dice_(&dice) {}
+  SceneBuilder(Lattice lattice, Dice& dice, Crossings crossings = Crossings::none)
+      : lattice_(std::move(lattice)), dice_(&dice), crossings_(crossings) {}
 
   [[nodiscard]] const Lattice& lattice() const { return lattice_; }
   [[nodiscard]] const std::vector<LatticePoint>& points() const { return points_; }
@@ -41,11 +45,16 @@ class SceneBuilder {
 
   Lattice lattice_;
   Dice* dice_;
+  Crossings crossings_;
   std::vector<LatticePoint> points_;
   std::vector<Corners> faces_;
   std::vector<PlacedFace> placed_;
   std::set<std::vector<LatticePoint>> keys_;
   SceneNotes notes_;
 };
+
+// The scene as grown, without the faces beyond so many and without vertices that no face uses, but for one.
+[[nodiscard]] RandomScene scene_of(const SceneBuilder& builder, std::uint64_t seed, Sides sides,
+                                   std::size_t most_faces);
 
 }  // namespace sightline::oracle

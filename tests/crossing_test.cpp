@@ -1,0 +1,159 @@
+// sightline against the rational oracle on random scenes whose faces pass through each other.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <set>
+
+#include "geometry/clipping.h"
+#include "oracle/truth.h"
+#include "tests/oracle/crossing_scenes.h"
+#include "tests/oracle/judge.h"
+
+namespace sightline::oracle {
+namespace {
+
+// Rounding moves every image point by at most half a spacing of the grid per axis, 0.71 in all, and a face's visible
+// border with it: its area changes by at most the border's length times that. Here borders are shorter than a hundred
+// half windows: 100 * 0.71 * 2^-40 of the half window squared is below 2^-38 of the window, whose area is 4.
+const Rational bound = Rational(4) / Rational(BigInteger(1) << 38U);
+
+// In window units squared.
+Rational in_window_units(const Rational& grid_area, int grid_bits) {
+  return grid_area / Rational(BigInteger(1) << static_cast<unsigned>(2 * grid_bits));
+}
+
+// Whether every point that cutting made falls on the grid exactly, where the camera sees it.
+bool cuts_are_on_grid(const Mesh& mesh, const View& view) {
+  for (const ClippedCorner& corner : view.scene.polygon_corners) {
+    if (!corner.vertex.valid() || corner.vertex.index() < mesh.input_vertex_count()) continue;
+    const ExactCorner exact = exact_corner(mesh, corner.vertex, view.scene.camera);
+    for (const BigInteger& coordinate : {exact.x, exact.y}) {
+      if ((coordinate << static_cast<unsigned>(view.scene.grid_bits)) % exact.w != 0) return false;
+    }
+  }
+  return true;
+}
+
+void compare_areas(Complaints& complaints, const Truth& truth, const std::vector<Rational>& areas, bool exact) {
+  Rational uncovered = 4;
+  const auto compare = [&](const std::string& what, const Rational& ours, const Rational& theirs) {
+    if (exact ? ours == theirs : abs(Rational(ours - theirs)) <= bound) return;
+    complaints.push_back(what + " differs by " + std::to_string(Rational(ours - theirs).convert_to<double>()) +
+                         (exact ? ", though every point is on the grid" : ""));
+  };
+  for (std::size_t f = 0; f < areas.size(); ++f) {
+    compare("visible area of face " + std::to_string(f), areas[f], truth.visible_area[f]);
+    uncovered -= areas[f];
+  }
+  compare("uncovered area", uncovered, truth.uncovered);
+}
+
+using Place = std::array<double, 3>;
+using PlacePair = std::array<Place, 2>;
+
+Place place(const LabelledMesh& labelled, VertexId v) {
+  const Point3& p = labelled.vertices[v.index()];
+  return {p.x, p.y, p.z};
+}
+
+// The sides of a face's seen triangles that no other seen triangle of the face has, on a line by their ends.
+std::set<PlacePair> seen_border(const LabelledMesh& labelled, FaceId face) {
+  std::set<PlacePair> border;
+  for (const LabelledTriangle& t : labelled.triangles) {
+    if (t.face != face || !t.seen) continue;
+    for (std::size_t i = 0; i < 3; ++i) {
+      PlacePair side{place(labelled, t.corners[i]), place(labelled, t.corners[(i + 1) % 3])};
+      if (side[1] < side[0]) std::swap(side[0], side[1]);
+      if (!border.insert(side).second) border.erase(side);
+    }
+  }
+  return border;
+}
+
+// Where two faces are seen on either side of their common line, they meet there in the same points of space, bit for bit.
+// Returns how many such pieces of lines there are.
+std::size_t check_meetings(Complaints& complaints, const Mesh& mesh, const View& view) {
+  std::size_t meetings = 0;
+  const ImagePoints points(view.scene, view.segments);
+  std::vector<std::set<PlacePair>> borders;
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) borders.push_back(seen_border(view.labelled, FaceId(f)));
+  for (std::size_t f = 0; f < borders.size(); ++f) {
+    for (std::size_t g = 0; g < f; ++g) {
+      for (const PlacePair& side : borders[f]) meetings += borders[g].count(side);
+    }
+  }
+  // Every visible segment along a common line with the other face on its other side is such a meeting.
+  std::size_t expected = 0;
+  for (const VisibleSegment& segment : view.segments.segments) {
+    if (!segment.other.valid() || !mesh.is_cut()) continue;
+    const auto sides = view.scene.sides_of(segment.edge);
+    const bool common = std::ranges::all_of(sides, [&](const EdgeSide& side) {
+      return side.mesh_edge.valid() && !mesh.cuts.input_edge[side.mesh_edge.index()][0].valid();
+    });
+    expected += common ? 1 : 0;
+  }
+  if (expected > 0 && meetings == 0) complaints.emplace_back("faces do not meet along their common line in one point");
+  return meetings;
+}
+
+struct Judgement {
+  Complaints complaints;
+  bool exact = false;
+  std::size_t crossing = 0;
+  std::size_t meetings = 0;
+};
+
+Judgement judge_crossing(const RandomScene& scene) {
+  Judgement judgement;
+  try {
+    const Mesh whole = mesh_of(scene);
+    const Mesh mesh = cut(whole);
+    const View view = analyze(mesh, scene.camera, scene.sides);
+    judgement.complaints = complaints_of_stages(mesh, view);
+    judgement.crossing = mesh.cuts.crossing.size();
+    judgement.exact = cuts_are_on_grid(mesh, view);
+    std::vector<Rational> areas = visible_areas(mesh, view);
+    for (Rational& area : areas) area = in_window_units(area, view.scene.grid_bits);
+    compare_areas(judgement.complaints, true_visibility(whole, scene.camera, scene.sides), areas, judgement.exact);
+    judgement.meetings = check_meetings(judgement.complaints, mesh, view);
+  } catch (const std::exception& error) {
+    judgement.complaints.push_back(std::string("exception: ") + error.what());
+  }
+  return judgement;
+}
+
+}  // namespace
+
+TEST_CASE("on random scenes that pass through themselves the visible areas are the oracle's") {
+  constexpr std::uint64_t first_seed = 1;
+  const std::uint64_t scenes = scene_count(5000);
+  std::uint64_t crossing = 0;
+  std::uint64_t several = 0;
+  std::uint64_t exact = 0;
+  std::uint64_t meetings = 0;
+  int failures = 0;
+  for (std::uint64_t seed = first_seed; seed < first_seed + scenes && failures < 3; ++seed) {
+    const RandomScene scene = crossing_scene(seed);
+    const Judgement judgement = judge_crossing(scene);
+    crossing += judgement.crossing > 0 ? 1U : 0U;
+    several += judgement.crossing > 2 ? 1U : 0U;
+    exact += judgement.crossing > 0 && judgement.exact ? 1U : 0U;
+    meetings += judgement.meetings;
+    if (judgement.complaints.empty()) continue;
+    ++failures;
+    const RandomScene small =
+        reduced(scene, [](const RandomScene& s) { return !judge_crossing(s).complaints.empty(); });
+    FAIL_CHECK(joined(judge_crossing(small).complaints), to_text(small));
+  }
+  REQUIRE(failures == 0);
+  MESSAGE(scenes << " scenes, " << crossing << " with faces that pass through each other, " << several
+                 << " with more than two such pairs; in " << exact << " of them every point is on the grid; "
+                 << meetings << " lines on which two faces meet");
+  // The generator made the hard cases.
+  CHECK(crossing * 10 >= scenes * 9);
+  CHECK(several * 4 >= scenes);
+  CHECK(exact * 10 >= scenes);
+  CHECK(meetings >= scenes / 2);
+}
+
+}  // namespace sightline::oracle
