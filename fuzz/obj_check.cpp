@@ -2,6 +2,7 @@
 
 #include "fuzz/checks.h"
 #include "fuzz/refusal.h"
+#include "geometry/common_lines.h"
 #include "geometry/obj_reader.h"
 #include "tests/oracle/judge.h"
 

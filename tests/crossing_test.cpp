@@ -70,29 +70,37 @@ std::set<PlacePair> seen_border(const LabelledMesh& labelled, FaceId face) {
   return border;
 }
 
+// Pairs of visible segments of two faces that run along one common line, to and fro.
+std::size_t common_segments(const Mesh& mesh, const View& view) {
+  std::set<std::array<std::uint32_t, 3>> known;
+  std::size_t pairs = 0;
+  for (const VisibleSegment& s : view.segments.segments) {
+    const auto sides = view.scene.sides_of(s.edge);
+    const bool common = mesh.is_cut() && std::ranges::all_of(sides, [&](const EdgeSide& side) {
+                          return side.mesh_edge.valid() && !mesh.cuts.input_edge[side.mesh_edge.index()][0].valid();
+                        });
+    if (!common) continue;
+    pairs += known.count({s.edge.value, s.end.value, s.start.value});
+    known.insert({s.edge.value, s.start.value, s.end.value});
+  }
+  return pairs;
+}
+
 // Where two faces are seen on either side of their common line, they meet there in the same points of space, bit for bit.
 // Returns how many such pieces of lines there are.
 std::size_t check_meetings(Complaints& complaints, const Mesh& mesh, const View& view) {
-  std::size_t meetings = 0;
-  const ImagePoints points(view.scene, view.segments);
   std::vector<std::set<PlacePair>> borders;
   for (std::size_t f = 0; f < mesh.face_count(); ++f) borders.push_back(seen_border(view.labelled, FaceId(f)));
+  std::size_t meetings = 0;
   for (std::size_t f = 0; f < borders.size(); ++f) {
     for (std::size_t g = 0; g < f; ++g) {
       for (const PlacePair& side : borders[f]) meetings += borders[g].count(side);
     }
   }
-  // Every visible segment along a common line with the other face on its other side is such a meeting.
-  std::size_t expected = 0;
-  for (const VisibleSegment& segment : view.segments.segments) {
-    if (!segment.other.valid() || !mesh.is_cut()) continue;
-    const auto sides = view.scene.sides_of(segment.edge);
-    const bool common = std::ranges::all_of(sides, [&](const EdgeSide& side) {
-      return side.mesh_edge.valid() && !mesh.cuts.input_edge[side.mesh_edge.index()][0].valid();
-    });
-    expected += common ? 1 : 0;
-  }
-  if (expected > 0 && meetings == 0) complaints.emplace_back("faces do not meet along their common line in one point");
+  // What is below resolution is not called seen.
+  const bool all_seen = std::ranges::none_of(view.polygons.polygons, &VisiblePolygon::below_resolution);
+  if (all_seen && meetings < common_segments(mesh, view))
+    complaints.emplace_back("two faces that meet along their common line do not meet in the same points");
   return meetings;
 }
 
