@@ -5,19 +5,20 @@
 namespace sightline::oracle::image {
 namespace {
 
-// Rounded down: cpp_int rounds towards zero.
-Integer floor_quotient(const Integer& top, const Integer& bottom) {
-  Integer quotient;
+// top / bottom rounded down; cpp_int rounds towards zero.
+void floor_quotient(const Integer& top, const Integer& bottom, Integer& quotient) {
   Integer rest;
   divide_qr(top, bottom, quotient, rest);
-  return rest < 0 ? Integer(quotient - 1) : quotient;
+  if (rest < 0) --quotient;
 }
 
 }  // namespace
 
 Key key_of(const Integer& top, const Integer& bottom) {
   static const Integer most = Integer(1) << (key_places + 2);
-  const Integer places = floor_quotient(top << key_places, bottom);
+  const Integer dividend = top << key_places;
+  Integer places;
+  floor_quotient(dividend, bottom, places);
   if (places > most) return Key{1} << (key_places + 2);
   if (places < -most) return -(Key{1} << (key_places + 2));
   return static_cast<Key>(places);
