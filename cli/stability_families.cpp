@@ -34,8 +34,8 @@ std::vector<double> powers(double base, int from, int to, int step) {
 // To 22 binary places, so that some sums and products of a few such numbers are exact.
 double to_22_places(double value) { return std::ldexp(std::round(std::ldexp(value, 22)), -22); }
 
-Camera parallel_from_above(const Vector3& up) {
-  return orthographic_camera("stability", {.eye = {0, 0, 8}, .target = {0, 0, 0}, .up = up}, 2);
+Camera pinhole(const Point3& eye, const Point3& target, double fov_y_degrees) {
+  return perspective_camera("stability", {eye, target, {0, 1, 0}, 1, {}, {}}, fov_y_degrees);
 }
 
 // Five faces in layers that lie apart; all coordinates are multiples of 1/8, and so they stay when `scale` is a power of
@@ -61,8 +61,7 @@ Mesh layers(double scale, double offset) {
 
 Camera of_layers(double scale, double offset) {
   const Vector3 shift{offset, offset, offset};
-  return perspective_camera("stability", {.eye = scale * layers_eye + shift, .target = scale * layers_target + shift},
-                            40);
+  return pinhole(scale * layers_eye + shift, scale * layers_target + shift, 40);
 }
 
 // Three pairs of triangles. In each pair the upper one's edge crosses the lower one's at the angle.
@@ -79,7 +78,8 @@ StabilityScene crossing_angle(double angle) {
       draft.add({centre - 0.3 * along, centre + 0.25 * along, centre + side * across});
     }
   }
-  return {draft.mesh(), parallel_from_above({0.3, 1, 0})};
+  const ViewPoint from_above{{0, 0, 8}, {0, 0, 0}, {0.3, 1, 0}, 1, {}, {}};
+  return {draft.mesh(), orthographic_camera("stability", from_above, 2)};
 }
 
 // A triangle behind eight needles that share a vertex.
@@ -94,7 +94,7 @@ StabilityScene needle_width(double width) {
     const Point3 tip = hub + 0.8 * along;
     draft.add({hub, tip, tip + width * across});
   }
-  return {draft.mesh(), perspective_camera("stability", {.eye = {0.3, -0.2, 4}, .target = {0, 0, 0}}, 40)};
+  return {draft.mesh(), pinhole({0.3, -0.2, 4}, {0, 0, 0}, 40)};
 }
 
 // Four faces in parallel planes z = 5/16 x + 3/16 y + i * gap, exactly.
@@ -113,7 +113,7 @@ StabilityScene depth_gap(double gap) {
     }
     draft.add(face);
   }
-  return {draft.mesh(), perspective_camera("stability", {.eye = {0.3, 0.2, 5}, .target = {0, 0, 0}}, 40)};
+  return {draft.mesh(), pinhole({0.3, 0.2, 5}, {0, 0, 0}, 40)};
 }
 
 StabilityScene offset(double distance) { return {layers(1, distance), of_layers(1, distance)}; }
@@ -133,8 +133,7 @@ StabilityScene far_near(double ratio) {
   draft.add({tilted(-0.253, 0.127, 0), tilted(0.249, 0.061, 0), tilted(0.067, 0.251, 0)});
   draft.add({tilted(-0.123, 0.033, 1), tilted(0.187, 0.129, 1), tilted(-0.061, 0.189, 1)});
   draft.add({{-0.5, -0.375, -1.125}, {-0.0625, -0.25, -1.125}, {-0.375, 0.25, -1.125}});
-  const ViewPoint view{
-      .eye = {0, 0, 0}, .target = {0.03125, 0, -1}, .up = {0.1, 1, 0}, .near_distance = 1, .far_distance = far};
+  const ViewPoint view{{0, 0, 0}, {0.03125, 0, -1}, {0.1, 1, 0}, 1, 1.0, far};
   return {draft.mesh(), perspective_camera("stability", view, 50)};
 }
 
@@ -147,8 +146,8 @@ StabilityScene field_of_view(double half_window) {
   draft.add({{-0.6, -0.8, -2 * thickness}, {0.9, 0.1, -thickness}, {-0.4, 0.6, -2 * thickness}});
   draft.add({{-0.7, 0.1, 0}, {0.3, -0.6, -thickness / 2}, {0.35, -0.5, -thickness / 2}});
   draft.add({{-0.2, -0.4, 0}, {0.5, 0.05, 0}, {-0.1, 0.55, 0}});
-  const ViewPoint view{.eye = {0.25 * distance, 0.125 * distance, distance}, .target = {0, 0, 0}};
-  return {draft.mesh(), perspective_camera("stability", view, 2 * std::atan(half_window) * 180 / std::acos(-1.0))};
+  const double degrees = 2 * std::atan(half_window) * 180 / std::acos(-1.0);
+  return {draft.mesh(), pinhole({0.25 * distance, 0.125 * distance, distance}, {0, 0, 0}, degrees)};
 }
 
 StabilityScene grid_bits(double spacing) {

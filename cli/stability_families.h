@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "geometry/camera.h"
+#include "geometry/image_point.h"
 #include "geometry/mesh.h"
 
 namespace sightline {

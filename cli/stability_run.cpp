@@ -45,7 +45,7 @@ std::string broken_invariant(const Mesh& mesh, View& view) {
   if (broken.empty()) broken = first_of("polygons", validate(view.polygons, mesh, view.scene, view.segments));
   if (!broken.empty()) return broken;
   view.labelled = label_mesh(mesh, view.scene, view.segments, view.polygons);
-  return first_of("labelled", validate(view.labelled, mesh));
+  return first_of("labelled", validate(view.labelled, mesh, view.scene));
 }
 
 oracle::Rational window_units(const Wide512& numerator, const Wide512& denominator, int grid_bits) {
@@ -106,7 +106,11 @@ double grid_bound(const ProjectedScene& scene) {
 
 StabilityRun run_stability(const StabilityFamily& family, double value, Arithmetic arithmetic) {
   const StabilityScene scene = family.make(value);
-  StabilityRun run{value, arithmetic, scene.grid_bits, scene.mesh.face_count()};
+  StabilityRun run;
+  run.value = value;
+  run.arithmetic = arithmetic;
+  run.grid_bits = scene.grid_bits;
+  run.faces = scene.mesh.face_count();
   run.grid_bound = grid_bound(project(scene.mesh, scene.camera, Sides::both, {Arithmetic::exact, scene.grid_bits}));
   try {
     View view = timed_view(scene, arithmetic, run.seconds);

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include "geometry/components.h"
@@ -11,6 +12,19 @@ namespace sightline::extremes {
 namespace {
 
 constexpr Allowances large{.coplanar = false, .large = true};
+
+// The scene shrunk to what the rational oracle takes, seen by the same cameras.
+void check_part(const CheckedScene& scene, const std::function<bool(FaceId)>& wanted) {
+  const Mesh part = with_faces(scene.mesh, wanted);
+  CHECK(part.face_count() >= 10);
+  CHECK(part.face_count() <= 24);
+  for (const Sight& whole : scene.sights) {
+    CAPTURE(whole.camera.name);
+    const Sight seen = sight(part, whole.camera, SidesPolicy::both);
+    CHECK(total(seen.areas) > 0);
+    CHECK(oracle::joined(differences_from_truth(part, seen)) == "");
+  }
+}
 
 // The window as 64 by 64 squares: the borders of grid_head_on's cells fall between them, for both of its cameras.
 constexpr int squares = 64;
@@ -50,6 +64,7 @@ TEST_CASE("extreme scene edges_through_a_point: each half-plane adds the wedge t
   // Ends of neighbouring edges are 1/256 apart on the window's border, at distance 1 from the middle.
   for (std::size_t k = 1; k < 1000; ++k) CHECK(above.areas[k] == Rational(1, 2 * 256));
   CHECK(above.view.segments.crossings.size() == 1);
+  check_part(scene, [](FaceId f) { return f.value % 50 == 0; });
 }
 
 TEST_CASE("extreme scene coincident_edges: of each size the first triangle to each side shows around the size before") {
@@ -62,6 +77,7 @@ TEST_CASE("extreme scene coincident_edges: of each size the first triangle to ea
     const Rational before(k / 100, 128);
     CHECK(above.areas[k] == (k % 100 < 2 ? Rational(size * size - before * before) : Rational(0)));
   }
+  check_part(scene, [](FaceId f) { return f.value % 550 == 0; });
 }
 
 TEST_CASE("extreme scene grid_head_on: as painted on squared paper") {
@@ -71,6 +87,10 @@ TEST_CASE("extreme scene grid_head_on: as painted on squared paper") {
     CHECK(is_exact(scene.mesh, seen));
     CHECK(seen.areas == painted_areas(scene.mesh, seen.camera));
   }
+  check_part(scene, [&](FaceId f) {
+    const Point3& low = scene.mesh.position(scene.mesh.faces[f.index()].front());
+    return low.x >= -2 && low.x < 0 && low.y >= -2 && low.y < 0;
+  });
 }
 
 TEST_CASE("extreme scene touching_cubes: from straight above five cubes of the first layer and four of the second") {
@@ -84,6 +104,8 @@ TEST_CASE("extreme scene touching_cubes: from straight above five cubes of the f
     CHECK(straight.areas[f] == (is_top && height(0) >= 2 ? Rational(1, 4) : Rational(0)));
   }
   CHECK(total(straight.areas) == Rational(9, 4));
+  // The first cubes: two at the bottom, touching along an edge, one that touches both, and one above.
+  check_part(scene, [](FaceId f) { return f.value / 6 < 3 || f.value / 6 == 5; });
 }
 
 TEST_CASE("extreme scene components: every one of a hundred thousand is seen whole") {
@@ -93,6 +115,7 @@ TEST_CASE("extreme scene components: every one of a hundred thousand is seen who
   CHECK(components(scene.mesh).size() == 100000);
   // The window is 128 wide and 1024 high, so a unit square is 1/64 by 1/512 of the image.
   CHECK(above.areas == std::vector<Rational>(100000, Rational(1, 2 * 64 * 512)));
+  check_part(scene, [](FaceId f) { return f.value / 100 < 4 && f.value % 100 < 5; });
 }
 
 }  // namespace sightline::extremes

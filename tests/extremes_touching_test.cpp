@@ -2,14 +2,13 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "tests/extremes/checked_scene.h"
 #include "tests/oracle/scene_changes.h"
 
 namespace sightline::extremes {
 namespace {
-
-constexpr Allowances tie_rule{.coplanar = true, .large = false};
 
 bool is_seen(const View& view, FaceId face) {
   const auto& triangles = view.labelled.triangles;
@@ -19,6 +18,15 @@ bool is_seen(const View& view, FaceId face) {
 
 Rational sum(const std::vector<Rational>& areas, std::size_t begin, std::size_t end) {
   return total({areas.begin() + static_cast<std::ptrdiff_t>(begin), areas.begin() + static_cast<std::ptrdiff_t>(end)});
+}
+
+// The mesh with the faces from begin on, up to end, in the opposite order.
+Mesh with_range_reversed(const Mesh& mesh, std::size_t begin, std::size_t end) {
+  PolygonList faces;
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    faces.push_back(mesh.faces[f >= begin && f < end ? begin + end - 1 - f : f]);
+  }
+  return build_mesh(mesh.vertices, std::move(faces));
 }
 
 }  // namespace
@@ -42,7 +50,7 @@ TEST_CASE("extreme scene vertices_on_edges") {
 
 TEST_CASE(
     "extreme scene coplanar_tessellations: the lower index hides the higher, order within a tessellation is free") {
-  const CheckedScene scene = checked("coplanar_tessellations", tie_rule);
+  const CheckedScene scene = checked("coplanar_tessellations", {.coplanar = true, .large = false});
   const Sight& above = scene.from("above");
   CHECK(is_exact(scene.mesh, above));
   // [-1, 1/2]^2 in two triangles; [-1/2, 1]^2 without [-1/2, 1/2]^2; the rest of [-1, 1]^2.
@@ -50,6 +58,15 @@ TEST_CASE(
   CHECK(above.areas[1] == Rational(9, 8));
   CHECK(sum(above.areas, 2, 10) == Rational(9, 4) - 1);
   CHECK(sum(above.areas, 10, 14) == 4 - Rational(9, 4) - Rational(9, 4) + 1);
+  for (const auto& [begin, end] : {std::pair(0, 2), std::pair(2, 10), std::pair(10, 14)}) {
+    CAPTURE(begin);
+    const auto first = static_cast<std::size_t>(begin);
+    const auto last = static_cast<std::size_t>(end);
+    std::vector<Rational> turned =
+        sight(with_range_reversed(scene.mesh, first, last), above.camera, SidesPolicy::both).areas;
+    std::reverse(turned.begin() + begin, turned.begin() + end);
+    CHECK(turned == above.areas);
+  }
 }
 
 TEST_CASE("extreme scene boxes_one_ulp_apart: only the nearest of three is seen, from outside and from within") {

@@ -103,8 +103,7 @@ TEST_CASE("vertices and faces without end stop at the limit, with both numbers")
   for (const char* statement : {"v 1 2 3\n", "f 1 2 3\n", "f 1\n", "f\n"}) {
     const LongFile file(folder.path() / "endless.obj", {triangle, statement, endless, ""});
     const Outcome outcome = run_to_end(analysis_of(file.path(), "100M"));
-    check_refused(outcome, file.path() + ":",
-                  " bytes of memory, and the limit is 104857600; raise it with --max-memory");
+    check_refused(outcome, file.path() + ":", " bytes of memory, and the limit is 104857600; raise it with --max-memory");
     check_cost(outcome, 100 * mebibyte, 10);
     std::filesystem::remove(file.path());
   }
