@@ -15,7 +15,7 @@ class Finding : public std::logic_error {
 };
 
 // The bytes are an OBJ file: it is read or refused with InputError, the mesh is valid, and where it is small a fixed
-// camera's view of it is valid at every stage.
+// camera's view of it is valid at every stage; the labelled one is left out where a face's border lies on itself.
 void check_obj(std::string_view bytes);
 
 // The bytes are a scene file: it is read or refused with InputError, without opening any file; and every camera that
