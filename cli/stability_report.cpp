@@ -102,7 +102,8 @@ std::string finding(const FamilyRuns& runs, Arithmetic arithmetic) {
       to_string(arithmetic), count([](const StabilityRun& run) { return run.finished; }), of.size(),
       count([](const StabilityRun& run) { return run.finished && run.broken.empty(); }), worst->mislabelled_area);
   if (first == of.end()) return text + ", never more than the grid explains.";
-  return text + fmt::format(", more than the grid explains in {} of them, first at {:.3g}.", count(above), first->value);
+  return text +
+         fmt::format(", more than the grid explains in {} of them, first at {:.3g}.", count(above), first->value);
 }
 
 }  // namespace sightline

@@ -15,6 +15,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 #include "geometry/common_lines.h"
 #include "geometry/facet_plane.h"
@@ -122,6 +123,7 @@ class FaceCheck {
       }
     }
     exponent_ = std::ilogb(largest) + 1;  // M is now at most 1
+    rounding_ = std::max(rounding, std::ldexp(2.0, std::numeric_limits<double>::min_exponent - 53 - exponent_));
   }
 
   void run(std::size_t first, std::size_t end) {
@@ -130,7 +132,7 @@ class FaceCheck {
     const auto [axis, sign] = seen_orientation();
     for (std::size_t t = first; t < end; ++t) {
       const ScaledTriangle piece = scaled(labelled_.triangles[t].corners, labelled_.vertices);
-      const bool turned = sign * component(piece.twice_area, axis) / 2 < -rounding * piece.perimeter;
+      const bool turned = sign * component(piece.twice_area, axis) / 2 < -rounding_ * piece.perimeter;
       if (turned && !is_narrow(labelled_.triangles[t].corners))
         messages_.push_back(triangle_name(t) + " is turned over against " + name(face_));
     }
@@ -160,7 +162,7 @@ class FaceCheck {
       difference += piece.area();
       perimeters += piece.perimeter;
     }
-    if (!(std::fabs(difference.value()) <= relative_area_error * area.value() + rounding * perimeters.value()))
+    if (!(std::fabs(difference.value()) <= relative_area_error * area.value() + rounding_ * perimeters.value()))
       messages_.push_back(name(face_) + " has triangles of another area");
   }
 
@@ -210,6 +212,7 @@ class FaceCheck {
   FaceId face_;
   Messages& messages_;
   int exponent_ = 0;
+  double rounding_ = 0;  // not below two spacings of the denormal numbers
 };
 
 void check_faces(const LabelledMesh& labelled, const Mesh& mesh, const ProjectedScene& scene, Messages& messages) {

@@ -37,7 +37,8 @@ std::vector<std::string> camera_options(const fs::path& file) {
   } catch (const InputError&) {
   }
   const Vector3 middle = 0.5 * box.low + 0.5 * box.high;
-  const double size = std::max({box.high.x - box.low.x, box.high.y - box.low.y, box.high.z - box.low.z});
+  const double extent = std::max({box.high.x - box.low.x, box.high.y - box.low.y, box.high.z - box.low.z});
+  const double size = extent > 0 ? extent : 1;
   return {as_option("--eye=", middle + size * Vector3{0.6, 0.7, 1.9}), as_option("--target=", middle), "--fov-y=60"};
 }
 

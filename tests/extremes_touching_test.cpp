@@ -48,8 +48,7 @@ TEST_CASE("extreme scene vertices_on_edges") {
   CHECK_FALSE(is_exact(scene.mesh, scene.from("tilted")));
 }
 
-TEST_CASE(
-    "extreme scene coplanar_tessellations: the lower index hides the higher, order within a tessellation is free") {
+TEST_CASE("extreme scene coplanar_tessellations: the lower index hides the higher") {
   const CheckedScene scene = checked("coplanar_tessellations", {.coplanar = true, .large = false});
   const Sight& above = scene.from("above");
   CHECK(is_exact(scene.mesh, above));

@@ -103,7 +103,8 @@ TEST_CASE("vertices and faces without end stop at the limit, with both numbers")
   for (const char* statement : {"v 1 2 3\n", "f 1 2 3\n", "f 1\n", "f\n"}) {
     const LongFile file(folder.path() / "endless.obj", {triangle, statement, endless, ""});
     const Outcome outcome = run_to_end(analysis_of(file.path(), "100M"));
-    check_refused(outcome, file.path() + ":", " bytes of memory, and the limit is 104857600; raise it with --max-memory");
+    check_refused(outcome, file.path() + ":",
+                  " bytes of memory, and the limit is 104857600; raise it with --max-memory");
     check_cost(outcome, 100 * mebibyte, 10);
     std::filesystem::remove(file.path());
   }
@@ -159,11 +160,11 @@ std::vector<std::string> view_from_above(const std::string& mesh, std::size_t si
 
 TEST_CASE("a view that needs more than the limit is refused before its sweep, with both numbers") {
   const TemporaryFolder folder;
-  const std::string mesh = folder.file("grid.obj", grid(200));
-  const Outcome refused = run_to_end(view_from_above(mesh, 200, "80M"));
+  const std::string mesh = folder.file("grid.obj", grid(180));
+  const Outcome refused = run_to_end(view_from_above(mesh, 180, "80M"));
   check_refused(refused, "camera \"view\" needs about ", "MiB of memory, and the limit is 80.0 MiB");
   check_cost(refused, 80 * mebibyte, 10);
-  CHECK(run_to_end(view_from_above(mesh, 200, "2G")).exit_code == 0);
+  CHECK(run_to_end(view_from_above(mesh, 180, "2G")).exit_code == 0);
 }
 
 TEST_CASE("what no count foretells, crossings without number, stops at the limit, with both numbers") {
