@@ -191,9 +191,10 @@ TEST_CASE("on random scenes that pass through themselves the visible areas are t
     FAIL_CHECK(joined(judge_crossing(small).complaints), to_text(small));
   }
   REQUIRE(failures == 0);
-  MESSAGE(seed - first_seed << " scenes, " << crossing << " with faces that pass through each other, " << several
-                            << " with more than two such pairs; in " << exact << " of them every point is on the grid; "
-                            << meetings << " lines on which two faces meet");
+  MESSAGE((seed - first_seed) << " scenes, " << crossing << " with faces that pass through each other, " << several
+                              << " with more than two such pairs; in " << exact
+                              << " of them every point is on the grid; " << meetings
+                              << " lines on which two faces meet");
   // The generator made the hard cases.
   CHECK(several * 4 >= scenes);
   CHECK(exact * 20 >= scenes);

@@ -160,11 +160,11 @@ std::vector<std::string> view_from_above(const std::string& mesh, std::size_t si
 
 TEST_CASE("a view that needs more than the limit is refused before its sweep, with both numbers") {
   const TemporaryFolder folder;
-  const std::string mesh = folder.file("grid.obj", grid(180));
-  const Outcome refused = run_to_end(view_from_above(mesh, 180, "80M"));
+  const std::string mesh = folder.file("grid.obj", grid(175));
+  const Outcome refused = run_to_end(view_from_above(mesh, 175, "80M"));
   check_refused(refused, "camera \"view\" needs about ", "MiB of memory, and the limit is 80.0 MiB");
   check_cost(refused, 80 * mebibyte, 10);
-  CHECK(run_to_end(view_from_above(mesh, 180, "2G")).exit_code == 0);
+  CHECK(run_to_end(view_from_above(mesh, 175, "2G")).exit_code == 0);
 }
 
 TEST_CASE("what no count foretells, crossings without number, stops at the limit, with both numbers") {

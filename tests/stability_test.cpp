@@ -164,7 +164,7 @@ TEST_CASE("the command writes the table, a plot per family and the page, the sam
     const RunResult run = run_sightline({"stability", "--family", "depth_gap", "-o", path.string()});
     CHECK(run.exit_code == 0);
     CHECK(run.err.empty());
-    CHECK(run.out.find("exact: 14 of 14 runs finished, 14 of them valid") != std::string::npos);
+    CHECK(run.out.find("exact: 25 of 25 runs finished, 25 of them valid") != std::string::npos);
   }
   CHECK(without_times(first / "stability.csv") == without_times(second / "stability.csv"));
   CHECK(read_text(first / "depth_gap.svg") == read_text(second / "depth_gap.svg"));
