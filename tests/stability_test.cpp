@@ -113,11 +113,8 @@ TEST_CASE("float and double are right on the plain scene, and wrong at the extre
     const StabilityRun plain = run_stability(family("scale"), 1, a);
     CHECK(plain.finished);
     CHECK(plain.mislabelled_area < 1e-6);
-    for (const std::string name : {"depth_gap", "scale"}) {
-      CAPTURE(name);
-      const StabilityRun extreme = run_at_extreme(name, a);
-      CHECK((!extreme.finished || extreme.mislabelled_area > 1e-3));
-    }
+    const StabilityRun extreme = run_at_extreme("scale", a);
+    CHECK((!extreme.finished || extreme.mislabelled_area > 1e-3));
   }
 }
 

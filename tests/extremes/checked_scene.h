@@ -19,6 +19,9 @@ struct Allowances {
   bool coplanar = false;
   // Too many faces for the rational oracle.
   bool large = false;
+  // Doubles are as far apart as the scene is large: points that the labelled surface adds have none of their own, so what
+  // its checker says of it is left out.
+  bool coarse_doubles = false;
 };
 
 [[nodiscard]] CheckedScene checked(const std::string& name, const Allowances& allowances = {});
