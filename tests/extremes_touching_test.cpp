@@ -57,10 +57,10 @@ TEST_CASE("extreme scene coplanar_tessellations: the lower index hides the highe
   CHECK(above.areas[1] == Rational(9, 8));
   CHECK(sum(above.areas, 2, 10) == Rational(9, 4) - 1);
   CHECK(sum(above.areas, 10, 14) == 4 - Rational(9, 4) - Rational(9, 4) + 1);
-  for (const auto& [begin, end] : {std::pair(0, 2), std::pair(2, 10), std::pair(10, 14)}) {
-    CAPTURE(begin);
-    const auto first = static_cast<std::size_t>(begin);
-    const auto last = static_cast<std::size_t>(end);
+  for (const auto& range : {std::pair(0, 2), std::pair(2, 10), std::pair(10, 14)}) {
+    const auto first = static_cast<std::size_t>(range.first);
+    const auto last = static_cast<std::size_t>(range.second);
+    CAPTURE(first);
     std::vector<Rational> turned =
         sight(with_range_reversed(scene.mesh, first, last), above.camera, SidesPolicy::both).areas;
     std::reverse(turned.begin() + begin, turned.begin() + end);

@@ -28,7 +28,7 @@ struct TakingTurns {
   int current = 0;
 
   TakingTurns() {
-    for (const std::size_t i : {1, 0}) {
+    for (const std::size_t i : {1U, 0U}) {
       const Outcome outcome = run_to_end(arguments(static_cast<int>(i)));
       REQUIRE(outcome.exit_code == 0);
       seconds = outcome.seconds;

@@ -43,7 +43,7 @@ ByteSource in_pieces(std::string_view text, std::size_t piece) {
 void check_pieces(const std::string& text) {
   ObjScanner whole(text);
   const std::vector<Token> expected = all_tokens(whole);
-  for (const std::size_t piece : {1, 2, 3, 7, 1 << 20}) {
+  for (const std::size_t piece : {1U, 2U, 3U, 7U, 1U << 20U}) {
     INFO("pieces of " << piece);
     ObjScanner scanner(in_pieces(text, piece));
     const bool same = all_tokens(scanner) == expected;

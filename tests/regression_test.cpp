@@ -233,7 +233,7 @@ TEST_CASE("a facet that is over a span in the rounded image only leaves no wrong
 TEST_CASE("a slit with corners on the way back only: its edges lie on each other, and the polygons are valid") {
   PolygonList faces;
   std::vector<VertexId> corners;
-  for (const std::size_t corner : {0, 1, 2, 3, 0, 4, 0, 6, 7, 4, 8}) corners.emplace_back(corner);
+  for (const std::size_t corner : {0U, 1U, 2U, 3U, 0U, 4U, 0U, 6U, 7U, 4U, 8U}) corners.emplace_back(corner);
   faces.push_back(corners);
   const Mesh mesh =
       build_mesh({{0, 0, 0}, {6, 0, 0}, {6, 6, 0}, {0, 6, 0}, {2, 2, 0}, {2, 4, 0}, {4, 4, 0}, {4, 2, 0}, {1, 1, 0}},
