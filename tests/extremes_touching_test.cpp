@@ -63,7 +63,7 @@ TEST_CASE("extreme scene coplanar_tessellations: the lower index hides the highe
     CAPTURE(first);
     std::vector<Rational> turned =
         sight(with_range_reversed(scene.mesh, first, last), above.camera, SidesPolicy::both).areas;
-    std::reverse(turned.begin() + begin, turned.begin() + end);
+    std::reverse(turned.begin() + range.first, turned.begin() + range.second);
     CHECK(turned == above.areas);
   }
 }
