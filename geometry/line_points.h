@@ -33,7 +33,7 @@ class LinePoints {
 
  private:
   using Plucker = std::array<BigInteger, 6>;
-  [[nodiscard]] Plucker line_through(VertexId p, VertexId q) const;
+  [[nodiscard]] Plucker line_through(VertexId from, VertexId to) const;
   [[nodiscard]] const std::vector<VertexId>* find(MeshEdgeId edge, VertexId from, VertexId to) const;
 
   const Mesh& mesh_;
