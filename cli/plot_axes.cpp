@@ -59,7 +59,7 @@ double PlotAxes::decade_y(double exponent) const {
 
 double PlotAxes::y(double value) const { return value > 0 ? decade_y(std::log10(value)) : bottom - row_height / 2; }
 
-double PlotAxes::no_result_y(std::size_t row) const {
+double PlotAxes::no_result_y(std::size_t row) {
   return top + row_height / 2 + 8 * (static_cast<double>(row % 3) - 1);
 }
 

@@ -21,7 +21,7 @@ class PlotAxes {
   [[nodiscard]] double x(double value) const;
   [[nodiscard]] double y(double value) const;
   // Of the series that is drawn as number `row`.
-  [[nodiscard]] double no_result_y(std::size_t row) const;
+  [[nodiscard]] static double no_result_y(std::size_t row);
 
   // Everything but the curves and the legend.
   [[nodiscard]] std::string drawn() const;
