@@ -59,9 +59,7 @@ double PlotAxes::decade_y(double exponent) const {
 
 double PlotAxes::y(double value) const { return value > 0 ? decade_y(std::log10(value)) : bottom - row_height / 2; }
 
-double PlotAxes::no_result_y(std::size_t row) {
-  return top + row_height / 2 + 8 * (static_cast<double>(row % 3) - 1);
-}
+double PlotAxes::no_result_y(std::size_t row) { return top + row_height / 2 + 8 * (static_cast<double>(row % 3) - 1); }
 
 std::string PlotAxes::x_ticks() const {
   const auto [low, high] = std::minmax({std::log10(plot_.x_first), std::log10(plot_.x_last)});
