@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -12,6 +11,7 @@
 
 #include "cli/camera_table.h"
 #include "cli/toml_reader.h"
+#include "cli/toml_text.h"
 #include "geometry/errors.h"
 
 namespace sightline {
@@ -19,21 +19,9 @@ namespace sightline {
 namespace {
 
 constexpr std::size_t longest_file = std::size_t{64} << 20;
-constexpr std::ptrdiff_t most_dots = 1000;
-
-// The parser recurses into dotted keys, as deep as they go: a.a.a and so on for 10^5 times would be the end of its
-// stack. No scene has reason for a line with so many dots, wherever they stand.
-void refuse_deep_keys(std::string_view text, const std::string& path) {
-  for (std::size_t line = 1; !text.empty(); ++line) {
-    const std::size_t end = std::min(text.find('\n'), text.size() - 1) + 1;
-    if (std::ranges::count(text.substr(0, end), '.') > most_dots)
-      throw InputError(path, line, fmt::format("more than {} dots in one line; divide it", most_dots));
-    text.remove_prefix(end);
-  }
-}
 
 toml::table parsed(std::string_view text, const std::string& path) {
-  refuse_deep_keys(text, path);
+  check_toml_text(text, path);
   try {
     return toml::parse(text, path);
   } catch (const toml::parse_error& error) {

@@ -5,6 +5,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "geometry/printable.h"
+
 namespace sightline {
 
 namespace {
@@ -171,18 +173,6 @@ std::optional<std::int64_t> parse_integer(std::string_view token) {
   return number.starts_with('-') ? Limits::min() : Limits::max();
 }
 
-std::string quoted(std::string_view token) {
-  constexpr std::string_view digits = "0123456789abcdef";
-  std::string result = "\"";
-  for (const char c : token.substr(0, 40)) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte >= 0x20 && byte < 0x7f) {
-      result += c;
-    } else {
-      result += {'\\', 'x', digits[byte / 16], digits[byte % 16]};
-    }
-  }
-  return result + (token.size() > 40 ? "...\"" : "\"");
-}
+std::string quoted(std::string_view token) { return '"' + printable(token) + '"'; }
 
 }  // namespace sightline

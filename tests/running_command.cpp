@@ -34,6 +34,10 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+double seconds_of(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_usec) * 1e-6;
+}
+
 }  // namespace
 
 RunningCommand::RunningCommand(const std::vector<std::string>& arguments, const ProcessLimits& limits)
@@ -59,8 +63,12 @@ Outcome RunningCommand::wait() {
   rusage usage{};
   wait4(process_, &status, 0, &usage);
   process_ = 0;
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status), read_text(folder_.path() / "out"),
-          read_text(folder_.path() / "err"), seconds_since(start_), static_cast<std::uint64_t>(usage.ru_maxrss) * 1024};
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status),
+          read_text(folder_.path() / "out"),
+          read_text(folder_.path() / "err"),
+          seconds_since(start_),
+          seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime),
+          static_cast<std::uint64_t>(usage.ru_maxrss) * 1024};
 }
 
 }  // namespace sightline::testing

@@ -23,6 +23,7 @@ struct Outcome {
   std::string out;
   std::string err;
   double seconds = 0;
+  double cpu_seconds = 0;               // that it had a processor: no matter what else the machine does
   std::uint64_t peak_memory_bytes = 0;  // at least that of the test's own process, from which it was started
 };
 

@@ -42,8 +42,9 @@ std::string with(const std::string& text, const std::string& from, const std::st
   return std::string(text).replace(at, from.size(), to);
 }
 
-const std::string matrix_camera =
-    "[[camera]]\nname = \"p\"\nP = [[500, 0, 320, 1600], [0, 500, 240, 1200], [0, 0, 1, 5]]\nimage = [640, 480]\n";
+const std::string matrix = "[[500, 0, 320, 1600], [0, 500, 240, 1200], [0, 0, 1, 5]]";
+const std::string matrix_camera = "[[camera]]\nname = \"p\"\nP = " + matrix + "\nimage = [640, 480]\n";
+const std::string beyond_ascii = "not valid TOML: a character that is not ASCII stands outside quotes";
 
 }  // namespace
 
@@ -78,10 +79,29 @@ TEST_CASE("sides are automatic where the file does not say, and an absolute mesh
   CHECK(scene.mesh_file == "/meshes/a.obj");
 }
 
+TEST_CASE("characters beyond ASCII are welcome in quotes and comments, and brackets at the start of a row") {
+  const auto mesh_called = [](const std::string& quoted) {
+    return parse_scene("\xEF\xBB\xBF# \u00e9 [\n" + with(good, "\"a.obj\"", quoted), "scene.toml").mesh_file;
+  };
+  CHECK(mesh_called("\"\u00e9\\\".obj\"") == "\u00e9\".obj");
+  CHECK(mesh_called("'\u00e9\\'") == "\u00e9\\");
+  CHECK(mesh_called("'''\n\u00e9\\''''") == "\u00e9\\'");
+  CHECK(mesh_called("\"\"\"\u00e9\\\"\"\"\"\"") == "\u00e9\"\"");
+  const std::string rows = "[\n[500, 0, 320, 1600],\n\t[0, 500, 240, 1200], # [ \u00e9\n[0, 0, 1, 5]]";
+  CHECK_NOTHROW(parse_scene(with(mesh_part + matrix_camera, matrix, rows), "scene.toml"));
+}
+
 TEST_CASE("what is wrong in a scene file is named with key and line") {
   const std::string twice = good + pinhole;
   const std::vector<WrongScene> scenes = {
       {"[mesh", 1, "not valid TOML"},
+      {mesh_part + "[[{ a = 1", 3, "not valid TOML: a table's name must follow '['"},
+      {mesh_part + "[ ]\n", 3, "not valid TOML: a table's name must follow '['"},
+      {mesh_part + "a = [\n[1],\n[ ]]\n[\n", 6, "not valid TOML: a table's name must follow '['"},
+      {mesh_part + "a\u00e9 = 1\n", 3, beyond_ascii},
+      {mesh_part + "a = 1 \u00a1\n", 3, beyond_ascii},
+      {mesh_part + "a = \"\"\u2028\n", 3, beyond_ascii},
+      {mesh_part + "a = \"\"\"\"\n\u00e9\\\"\"\"\"\"\"\u00e9", 4, beyond_ascii},
       {mesh_part + "file = \"b.obj\"\n", 3, "not valid TOML"},
       {"", 0, "no [mesh]"},
       {pinhole, 0, "no [mesh]"},
@@ -92,6 +112,7 @@ TEST_CASE("what is wrong in a scene file is named with key and line") {
       {mesh_part + "[camera]\nname = \"front\"\n", 3, "must be an array of tables"},
       {mesh_part + "[[panel]]\n[[panel]]\n" + pinhole, 3, "panels are not supported yet"},
       {"colour = 1\n" + good, 1, "unknown key 'colour' in the scene file"},
+      {"\"one\\ntwo\" = 1\n" + good, 1, "unknown key 'one\\x0atwo' in the scene file"},
       {mesh_part + "side = \"auto\"\n" + pinhole, 3, "unknown key 'side' in [mesh]; it can have: file, sides"},
       {good + "zoom = 1\nfocus = 2\n", 8, "unknown key 'zoom' in [[camera]]"},
       {good + "image = [1, 1]\n", 8, "unknown key 'image'"},

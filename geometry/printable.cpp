@@ -1,0 +1,20 @@
+#include "geometry/printable.h"
+
+namespace sightline {
+
+std::string printable(std::string_view text) {
+  constexpr std::string_view digits = "0123456789abcdef";
+  constexpr std::size_t most = 40;
+  std::string result;
+  for (const char c : text.substr(0, most)) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte >= 0x20 && byte < 0x7f) {
+      result += c;
+    } else {
+      result += {'\\', 'x', digits[byte / 16], digits[byte % 16]};
+    }
+  }
+  return result + (text.size() > most ? "..." : "");
+}
+
+}  // namespace sightline
