@@ -7,6 +7,7 @@
 
 #include "geometry/clipping.h"
 #include "oracle/truth.h"
+#include "tests/oracle/crossing_kinds.h"
 #include "tests/oracle/crossing_scenes.h"
 #include "tests/oracle/judge.h"
 
@@ -136,6 +137,7 @@ struct Judgement {
   bool exact = false;
   std::size_t crossing = 0;
   std::size_t meetings = 0;
+  CrossingKinds kinds;
 };
 
 Judgement judge_crossing(const RandomScene& scene) {
@@ -146,6 +148,7 @@ Judgement judge_crossing(const RandomScene& scene) {
     const View view = analyze(mesh, scene.camera, scene.sides);
     judgement.complaints = complaints_of_stages(mesh, view);
     judgement.crossing = mesh.cuts.crossing.size();
+    judgement.kinds = crossing_kinds(mesh);
     judgement.exact = cuts_are_on_grid(mesh, view);
     std::vector<Rational> areas = visible_areas(mesh, view);
     for (Rational& area : areas) area = in_window_units(area, view.scene.grid_bits);
@@ -172,6 +175,10 @@ TEST_CASE("on random scenes that pass through themselves the visible areas are t
   std::uint64_t front = 0;
   std::uint64_t clipped = 0;
   std::uint64_t coplanar = 0;
+  std::uint64_t three_in_a_point = 0;
+  std::uint64_t three_on_a_line = 0;
+  std::uint64_t end_on_both_edges = 0;
+  std::uint64_t concave = 0;
   int failures = 0;
   for (; crossing < scenes && failures < 3; ++seed) {
     const RandomScene scene = crossing_scene(seed);
@@ -184,6 +191,10 @@ TEST_CASE("on random scenes that pass through themselves the visible areas are t
     front += scene.sides == Sides::front ? 1U : 0U;
     clipped += scene.notes.clipped ? 1U : 0U;
     coplanar += scene.notes.coplanar_overlap ? 1U : 0U;
+    three_in_a_point += judgement.kinds.three_in_a_point ? 1U : 0U;
+    three_on_a_line += judgement.kinds.three_on_a_line ? 1U : 0U;
+    end_on_both_edges += judgement.kinds.end_on_both_edges ? 1U : 0U;
+    concave += judgement.kinds.concave ? 1U : 0U;
     if (judgement.complaints.empty()) continue;
     ++failures;
     const RandomScene small =
@@ -194,7 +205,10 @@ TEST_CASE("on random scenes that pass through themselves the visible areas are t
   MESSAGE((seed - first_seed) << " scenes, " << crossing << " with faces that pass through each other, " << several
                               << " with more than two such pairs; in " << exact
                               << " of them every point is on the grid; " << meetings
-                              << " lines on which two faces meet");
+                              << " lines on which two faces meet; three facets through one point in "
+                              << three_in_a_point << ", on one line in " << three_on_a_line
+                              << ", lines that end on edges of both in " << end_on_both_edges << ", concave faces in "
+                              << concave);
   // The generator made the hard cases.
   CHECK(several * 4 >= scenes);
   CHECK(exact * 20 >= scenes);
@@ -204,6 +218,10 @@ TEST_CASE("on random scenes that pass through themselves the visible areas are t
   CHECK(front * 10 >= scenes);
   CHECK(clipped * 20 >= scenes);
   CHECK(coplanar * 20 >= scenes);
+  CHECK(three_in_a_point * 20 >= scenes);
+  CHECK(three_on_a_line * 20 >= scenes);
+  CHECK(end_on_both_edges * 20 >= scenes);
+  CHECK(concave * 20 >= scenes);
 }
 
 }  // namespace sightline::oracle
