@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <optional>
 
 #include "fuzz/checks.h"
@@ -23,14 +22,6 @@ std::optional<ObjFile> read_or_refused(std::string_view text) {
   }
 }
 
-// Whether two facets of one face touch apart from shared edges: its border lies on itself, as along a slit whose two ways
-// have different corners. The labelled surface may close such a slit.
-bool has_face_on_itself(const Mesh& mesh, const MeshContacts& contacts) {
-  return std::ranges::any_of(contacts.touching, [&](const auto& pair) {
-    return mesh.facet_face[pair[0].index()] == mesh.facet_face[pair[1].index()];
-  });
-}
-
 void require_none(const oracle::Complaints& complaints) {
   if (!complaints.empty()) throw Finding(oracle::joined(complaints));
 }
@@ -47,10 +38,7 @@ void check_obj(std::string_view bytes) {
   const MeshContacts contacts = find_contacts(file->mesh);
   const Mesh mesh = cut_along_common_lines(file->mesh, contacts);
   const Sides sides = decide_sides(mesh, contacts, camera, SidesPolicy::automatic).sides;
-  oracle::Complaints complaints = oracle::complaints_of_stages(mesh, analyze(mesh, camera, sides));
-  if (has_face_on_itself(file->mesh, contacts))
-    std::erase_if(complaints, [](const std::string& line) { return line.starts_with("labelled: "); });
-  require_none(complaints);
+  require_none(oracle::complaints_of_stages(mesh, analyze(mesh, camera, sides)));
 }
 
 }  // namespace sightline::fuzz

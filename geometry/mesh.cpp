@@ -9,6 +9,7 @@
 #include "geometry/face_triangulation.h"
 #include "geometry/mesh_topology.h"
 #include "geometry/predicates.h"
+#include "geometry/shared_corners.h"
 
 namespace sightline {
 
@@ -141,11 +142,12 @@ Mesh build_mesh(std::vector<Point3> vertices, PolygonList faces) {
   mesh.faces = std::move(faces);
   Welding welding = weld_vertices(mesh.vertices);
   FaceDefects defects(mesh.faces.size());
-  const PolygonList outlines = outline_faces(mesh, welding, defects);
+  PolygonList outlines = outline_faces(mesh, welding, defects);
   const std::vector<bool> repeated = find_repeated(outlines, welding);
   for (std::size_t f = 0; f < repeated.size(); ++f) {
     if (repeated[f]) defects[f] = Defect::repeated_face;
   }
+  share_corners(outlines, mesh.vertices, welding);
   make_facets(mesh, outlines, defects);
   list_defects(mesh, defects);
   MeshEdges edges = make_mesh_edges(mesh.facets, welding);

@@ -71,7 +71,7 @@ struct FacetCuts {
 struct Mesh {
   std::vector<Point3> vertices;
   PolygonList faces;                      // as the input gives them, defects included
-  PolygonList facets;                     // corner indices are those of the input
+  PolygonList facets;                     // corner indices are those of the input; see shared_corners.h, too
   std::vector<FaceId> facet_face;         // per facet
   std::vector<FacetId> face_facet;        // per face, and one past the end: its first facet
   std::vector<std::uint8_t> face_planar;  // per face: 1 where all its corners lie in one plane, exactly

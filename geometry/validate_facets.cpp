@@ -61,25 +61,29 @@ std::vector<VertexId> stops_between(const Mesh& mesh, std::span<const VertexId> 
   return stops;
 }
 
-// With `divided`, edges are cut at all corners of the face.
+// With `divided`, edges are cut at all these corners.
 void add_boundary(Boundary& boundary, const Mesh& mesh, std::span<const VertexId> polygon,
-                  std::span<const VertexId> face, bool divided) {
+                  std::span<const VertexId> corners, bool divided) {
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const VertexId a = mesh.weld[polygon[i].index()];
     const VertexId b = mesh.weld[polygon[(i + 1) % polygon.size()].index()];
     if (a == b) continue;
-    const std::vector<VertexId> stops = divided ? stops_between(mesh, face, a, b) : std::vector{a, b};
+    const std::vector<VertexId> stops = divided ? stops_between(mesh, corners, a, b) : std::vector{a, b};
     for (std::size_t s = 0; s + 1 < stops.size(); ++s) add_edge(boundary, stops[s], stops[s + 1]);
   }
 }
 
 bool boundaries_agree(const Mesh& mesh, FaceId f, bool divided) {
   const auto face = mesh.faces[f.index()];
+  // Those of the face, and those that it has of another face (shared_corners.h).
+  std::vector<VertexId> corners(face.begin(), face.end());
+  for (std::size_t i = mesh.first_facet(f); i < mesh.end_facet(f); ++i)
+    corners.insert(corners.end(), mesh.facets[i].begin(), mesh.facets[i].end());
   Boundary of_face;
   Boundary of_facets;
-  add_boundary(of_face, mesh, face, face, divided);
+  add_boundary(of_face, mesh, face, corners, divided);
   for (std::size_t i = mesh.first_facet(f); i < mesh.end_facet(f); ++i)
-    add_boundary(of_facets, mesh, mesh.facets[i], face, divided);
+    add_boundary(of_facets, mesh, mesh.facets[i], corners, divided);
   return of_face == of_facets;
 }
 

@@ -71,6 +71,19 @@ TEST_CASE("facets keep the vertices that the face names, not those they are weld
   }
 }
 
+TEST_CASE("an edge has the corners of its own face that lie on it, for its other face too") {
+  // Corner 3 of the first face touches its edge from 0 to 1.
+  const Mesh mesh = build_mesh({{0, 0, 0}, {4, 0, 0}, {4, 2, 0}, {2, 0, 0}, {0, 2, 0}, {2, -2, 1}},
+                               polygons({{0, 1, 2, 3, 4}, {1, 0, 5}}));
+  CHECK(validate(mesh) == std::vector<std::string>{});
+  CHECK(mesh.facet_count() == 3);
+  const auto neighbour = mesh.corners(FacetId(2));
+  CHECK(std::vector(neighbour.begin(), neighbour.end()) ==
+        std::vector{VertexId(1), VertexId(3), VertexId(0), VertexId(5)});
+  CHECK(std::ranges::count(mesh.edges, std::array{VertexId(0), VertexId(1)}) == 0);
+  CHECK(mesh.edges.size() == 6 + 2);
+}
+
 struct Mutation {
   std::string part_of_message;
   std::function<void(Mesh&)> break_it;
