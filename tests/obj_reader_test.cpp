@@ -102,7 +102,7 @@ const std::vector<ObjCase> polygon_cases{
     reads("concave_upright.obj", 3, 2.5),
     reads("collinear_corner.obj", 1 + 4, 4 + 3),
     reads("keyhole.obj", 8, 36 - 4),
-    reads("bridge_with_corner.obj", 9, 36 - 4),
+    reads("bridge_with_corner.obj", 10, 36 - 4),
     reads("pinched.obj", 2, 2),
     reads("hole_touches.obj", 5, 36 - 1.5),
     reads("warped_quad.obj", 2),
