@@ -77,10 +77,12 @@ TEST_CASE("random texts of what the scanner looks at, in pieces") {
 TEST_CASE("a token as long as allowed is read, a longer one is not, from a text and from a source") {
   const std::string longest(longest_token, '7');
   const std::string too_long(longest_token + 1, '7');
+  const std::string good_line = "v " + longest + " 1";
+  const std::string bad_line = "v " + too_long + " 1";
   for (const std::size_t piece : {std::size_t{4096}, std::size_t{1} << 30}) {
-    ObjScanner good(in_pieces("v " + longest + " 1", piece));
+    ObjScanner good(in_pieces(good_line, piece));
     CHECK(all_tokens(good).size() == 4);
-    ObjScanner bad(in_pieces("v " + too_long + " 1", piece));
+    ObjScanner bad(in_pieces(bad_line, piece));
     CHECK_THROWS_AS((void)all_tokens(bad), TokenTooLong);
   }
   ObjScanner good(longest);
