@@ -25,18 +25,26 @@ namespace {
 Scene scene_of(const AnalyzeOptions& options) {
   Scene scene = options.input_is_scene()
                     ? read_scene_file(options.input)
-                    : Scene{options.input, options.input, SidesPolicy::automatic, {*options.camera}};
+                    : Scene{options.input, options.input, SidesPolicy::automatic, {*options.camera}, {}};
   scene.sides = options.sides.value_or(scene.sides);
   return scene;
 }
 
-void write_results(ResultFolders& results, const Mesh& mesh, const View& view, const std::vector<FaceMeasures>& faces) {
+std::vector<std::string> panel_names(const Scene& scene) {
+  std::vector<std::string> names;
+  for (const Panel& panel : scene.panels) names.push_back(panel.name);
+  return names;
+}
+
+void write_results(ResultFolders& results, const Scene& scene, const Mesh& mesh, const View& view,
+                   const std::vector<FaceMeasures>& faces) {
   const std::string& name = view.scene.camera.name;
   const std::vector<Point2> places = window_points(view);
-  results.write(name, "faces.csv", faces_table(faces));
-  results.write(name, "labelled.ply", labelled_ply(view.labelled));
-  results.write(name, "labelled.obj", labelled_obj(view.labelled));
-  results.write(name, "view.svg", view_svg(mesh, view, places));
+  const std::vector<std::string> panels = panel_names(scene);
+  results.write(name, "faces.csv", faces_table(faces, panels));
+  results.write(name, "labelled.ply", labelled_ply(view.labelled, panels));
+  results.write(name, "labelled.obj", labelled_obj(view.labelled, panels));
+  results.write(name, "view.svg", view_svg(mesh, view, places, panels));
   results.write(name, "segments.csv", segments_table(mesh, view, places));
 }
 
@@ -45,16 +53,16 @@ Report written_report(const Scene& scene, const MeshInput& input, const ViewAnal
                       ResultFolders& results) {
   const Stopwatch watch;
   const std::vector<FaceMeasures> faces = measure_faces(input.mesh, analysis.view);
-  write_results(results, input.mesh, analysis.view, faces);
+  write_results(results, scene, input.mesh, analysis.view, faces);
   const Report report = make_report(scene, input, analysis, faces, watch.seconds());
   results.write(analysis.view.scene.camera.name, "report.json", report_text(report));
   return report;
 }
 
 // results: where the files go, if anywhere.
-Report camera_report(const Scene& scene, const MeshInput& input, const Camera& camera, const Precision& precision,
-                     ResultFolders* results, Progress& progress) {
-  const ViewAnalysis analysis = analyze_view(input, camera, scene.sides, precision, progress);
+Report camera_report(const Scene& scene, const MeshInput& input, const MirrorWorld& world, const Camera& camera,
+                     const Precision& precision, ResultFolders* results, Progress& progress) {
+  const ViewAnalysis analysis = analyze_view(input, world, camera, scene.sides, precision, progress);
   if (results == nullptr) return make_report(scene, input, analysis, measure_faces(input.mesh, analysis.view), 0);
   progress.stage(camera.name + ": write the results");
   return written_report(scene, input, analysis, *results);
@@ -71,9 +79,11 @@ std::string analyzed(const AnalyzeOptions& options) {
   const MeshInput input = read_mesh(scene.mesh_file, options.max_memory, progress);
   std::optional<ResultFolders> results;
   if (options.output) results.emplace(*options.output);
+  const MirrorWorld world = make_mirror_world(input.mesh, scene.panels);
   std::vector<Report> reports;
   for (const Camera& camera : scene.cameras) {
-    reports.push_back(camera_report(scene, input, camera, options.precision, results ? &*results : nullptr, progress));
+    reports.push_back(
+        camera_report(scene, input, world, camera, options.precision, results ? &*results : nullptr, progress));
   }
   if (results) results->publish();
   return standard_output(reports, options);

@@ -77,8 +77,12 @@ void add_triangles(const LabelledMesh& labelled, std::vector<FaceMeasures>& face
     face.label = std::max(face.label, triangle.label);
     const auto& [a, b, c] = triangle.corners;
     if (!triangle.seen) continue;
-    face.visible_area +=
+    const double area =
         triangle_area(labelled.vertices[a.index()], labelled.vertices[b.index()], labelled.vertices[c.index()]);
+    face.visible_area += area;
+    for (std::size_t p = 0; p < face.reflecting_area.size(); ++p) {
+      if ((triangle.reflecting >> p & 1U) != 0) face.reflecting_area[p] += area;
+    }
   }
 }
 
@@ -110,6 +114,7 @@ std::vector<FaceMeasures> measure_faces(const Mesh& mesh, const View& view) {
   std::vector<FaceMeasures> faces;
   faces.reserve(mesh.face_count());
   for (std::size_t f = 0; f < mesh.face_count(); ++f) faces.push_back(measure_facets(mesh, view.scene, FaceId(f)));
+  for (FaceMeasures& face : faces) face.reflecting_area.resize(view.reflections.panels.size());
   add_triangles(view.labelled, faces);
   add_polygons(view.polygons, faces);
   return faces;

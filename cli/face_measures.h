@@ -31,7 +31,8 @@ struct FaceMeasures {
   double in_view_area = 0;  // of its facets' polygons in the view volume; culled and edge-on facets have none
   double visible_area = 0;  // of its triangles that are seen
   double image_area = 0;    // of its facets' polygons in the image
-  double visible_image_area = 0;  // of its visible polygons above resolution
+  double visible_image_area = 0;        // of its visible polygons above resolution
+  std::vector<double> reflecting_area;  // per panel, of its triangles that mirror it into the camera
 };
 
 [[nodiscard]] std::vector<FaceMeasures> measure_faces(const Mesh& mesh, const View& view);

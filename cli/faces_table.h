@@ -8,6 +8,8 @@
 
 namespace sightline {
 
-[[nodiscard]] std::string faces_table(const std::vector<FaceMeasures>& faces);
+// panels: their names; per panel a column reflecting_area:NAME.
+[[nodiscard]] std::string faces_table(const std::vector<FaceMeasures>& faces,
+                                      const std::vector<std::string>& panels = {});
 
 }  // namespace sightline

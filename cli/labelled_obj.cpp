@@ -1,5 +1,7 @@
 #include "cli/labelled_obj.h"
 
+#include <set>
+
 #include "cli/text_buffer.h"
 
 namespace sightline {
@@ -13,21 +15,36 @@ void write_triangle(const LabelledTriangle& triangle, TextBuffer& out) {
 }
 
 // The triangles come by face already.
-void write_group(const LabelledMesh& labelled, Label label, TextBuffer& out) {
-  out << "g " << to_string(label) << '\n';
-  for (const LabelledTriangle& triangle : labelled.triangles) {
-    if (triangle.label == label) write_triangle(triangle, out);
+void write_group(const LabelledMesh& labelled, Label label, std::uint64_t reflecting,
+                 const std::vector<std::string>& panels, TextBuffer& out) {
+  out << "g " << to_string(label);
+  for (std::size_t p = 0; p < panels.size(); ++p) {
+    if ((reflecting >> p & 1U) != 0) out << " reflecting_" << panels[p];
   }
+  out << '\n';
+  for (const LabelledTriangle& triangle : labelled.triangles) {
+    if (triangle.label == label && triangle.reflecting == reflecting) write_triangle(triangle, out);
+  }
+}
+
+// 0 first, and always.
+std::set<std::uint64_t> reflecting_of(const LabelledMesh& labelled, Label label) {
+  std::set<std::uint64_t> found{0};
+  for (const LabelledTriangle& triangle : labelled.triangles) {
+    if (triangle.label == label && triangle.reflecting != 0) found.insert(triangle.reflecting);
+  }
+  return found;
 }
 
 }  // namespace
 
-std::string labelled_obj(const LabelledMesh& labelled) {
+std::string labelled_obj(const LabelledMesh& labelled, const std::vector<std::string>& panels) {
   TextBuffer out;
   out << "# sightline: the refined surface, one group per label\n";
   for (const Point3& p : labelled.vertices) out << "v " << p.x << ' ' << p.y << ' ' << p.z << '\n';
   for (const Label label : {Label::back_facing, Label::out_of_view, Label::hidden, Label::visible}) {
-    write_group(labelled, label, out);
+    for (const std::uint64_t reflecting : reflecting_of(labelled, label))
+      write_group(labelled, label, reflecting, panels, out);
   }
   return out.take();
 }

@@ -1,14 +1,16 @@
-// labelled.obj: the refined surface with one group per label, for tools that read no PLY properties.
+// labelled.obj: the refined surface with one group per label, for tools that read no PLY properties. Triangles that mirror
+// panels are in groups of their own: "g visible reflecting_NAME ...".
 //
 // Vertices as in labelled.ply, exact decimals; triangles by label, then by input face.
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "reconstruct/labelled_mesh.h"
 
 namespace sightline {
 
-[[nodiscard]] std::string labelled_obj(const LabelledMesh& labelled);
+[[nodiscard]] std::string labelled_obj(const LabelledMesh& labelled, const std::vector<std::string>& panels = {});
 
 }  // namespace sightline

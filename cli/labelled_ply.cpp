@@ -10,18 +10,20 @@ namespace sightline {
 namespace {
 
 // The comments name the values of the property label.
-std::string header(const LabelledMesh& labelled) {
+std::string header(const LabelledMesh& labelled, const std::vector<std::string>& panels) {
   std::string labels;
   for (const Label label : {Label::back_facing, Label::out_of_view, Label::hidden, Label::visible}) {
     labels += fmt::format("comment label {} = {}\n", static_cast<int>(label), to_string(label));
   }
+  std::string reflecting;
+  for (const std::string& panel : panels) reflecting += "property uchar reflecting_" + panel + "\n";
   return fmt::format(
       "ply\nformat binary_little_endian 1.0\ncomment sightline: face = index of the input face\n{}"
       "comment seen 1 = the camera sees it, from the front or from behind\nelement vertex {}\n"
       "property double x\nproperty double y\nproperty double z\nelement face {}\n"
       "property list uchar int vertex_indices\nproperty int face\nproperty uchar label\nproperty uchar "
-      "seen\nend_header\n",
-      labels, labelled.vertices.size(), labelled.triangles.size());
+      "seen\n{}end_header\n",
+      labels, labelled.vertices.size(), labelled.triangles.size(), reflecting);
 }
 
 // Little endian, whatever the machine is.
@@ -40,26 +42,29 @@ char* put(char* at, const Point3& p) {
   return at;
 }
 
-char* put(char* at, const LabelledTriangle& triangle) {
+char* put(char* at, const LabelledTriangle& triangle, std::size_t panels) {
   at = put(at, std::uint8_t{3});
   for (const VertexId corner : triangle.corners) at = put(at, corner.value);
   at = put(at, triangle.face.value);
   at = put(at, static_cast<std::uint8_t>(triangle.label));
-  return put(at, static_cast<std::uint8_t>(triangle.seen ? 1 : 0));
+  at = put(at, static_cast<std::uint8_t>(triangle.seen ? 1 : 0));
+  for (std::size_t p = 0; p < panels; ++p) at = put(at, static_cast<std::uint8_t>(triangle.reflecting >> p & 1U));
+  return at;
 }
 
 constexpr std::size_t vertex_bytes = std::size_t{3} * 8;
-constexpr std::size_t triangle_bytes = 1 + std::size_t{3} * 4 + 4 + 1 + 1;
+constexpr std::size_t triangle_bytes_without_panels = 1 + std::size_t{3} * 4 + 4 + 1 + 1;
 
 }  // namespace
 
-std::string labelled_ply(const LabelledMesh& labelled) {
-  std::string out = header(labelled);
+std::string labelled_ply(const LabelledMesh& labelled, const std::vector<std::string>& panels) {
+  std::string out = header(labelled, panels);
+  const std::size_t triangle_bytes = triangle_bytes_without_panels + panels.size();
   const std::size_t body = out.size();
   out.resize(body + vertex_bytes * labelled.vertices.size() + triangle_bytes * labelled.triangles.size());
   char* at = out.data() + body;
   for (const Point3& p : labelled.vertices) at = put(at, p);
-  for (const LabelledTriangle& triangle : labelled.triangles) at = put(at, triangle);
+  for (const LabelledTriangle& triangle : labelled.triangles) at = put(at, triangle, panels.size());
   return out;
 }
 

@@ -1,15 +1,17 @@
 // labelled.ply: the refined surface as binary little-endian PLY.
 //
 // vertex: double x, y, z (the first ones are the input's, in order). face: list uchar int vertex_indices, then
-// int face (the input face), uchar label (see Label), uchar seen (1: the camera sees it).
+// int face (the input face), uchar label (see Label), uchar seen (1: the camera sees it), and per panel uchar
+// reflecting_NAME (1: it mirrors the panel into the camera).
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "reconstruct/labelled_mesh.h"
 
 namespace sightline {
 
-[[nodiscard]] std::string labelled_ply(const LabelledMesh& labelled);
+[[nodiscard]] std::string labelled_ply(const LabelledMesh& labelled, const std::vector<std::string>& panels = {});
 
 }  // namespace sightline

@@ -100,6 +100,29 @@ Report areas_part(const View& view, const std::vector<FaceMeasures>& faces) {
           {"image_uncovered", uncovered_area(view.polygons)}};
 }
 
+// area: on the surface; image_area: of its polygons above resolution.
+Report reflections_part(const Scene& scene, const View& view, const std::vector<FaceMeasures>& faces) {
+  const Reflections& reflections = view.reflections;
+  Report panels = Report::array();
+  for (std::size_t p = 0; p < reflections.panels.size(); ++p) {
+    double area = 0;
+    for (const FaceMeasures& face : faces) area += face.reflecting_area[p];
+    double image_area = 0;
+    for (const VisiblePolygon& polygon : reflections.panels[p].polygons.polygons)
+      image_area += polygon.below_resolution ? 0 : polygon.area;
+    panels.push_back({{"name", scene.panels[p].name},
+                      {"emits", scene.panels[p].emits == Emits::front ? "front" : "both"},
+                      {"area", area},
+                      {"image_area", image_area},
+                      {"polygons", reflections.panels[p].polygons.polygons.size()}});
+  }
+  return {{"mode", "exact"},
+          {"panels", panels},
+          {"pyramids", reflections.statistics.pyramids},
+          {"obstacles", reflections.statistics.obstacles},
+          {"blocked", reflections.statistics.blocked}};
+}
+
 Report below_resolution_part(const VisiblePolygons& polygons) {
   const std::vector<FaceId> faces = faces_below_resolution(polygons);
   Report list = Report::array();
@@ -116,6 +139,7 @@ Report times_part(const MeshInput& input, const StageSeconds& seconds, double wr
                   {"project", seconds.project},
                   {"sweep", seconds.sweep},
                   {"reconstruct", seconds.reconstruct},
+                  {"reflect", seconds.reflect},
                   {"label", seconds.label},
                   {"write", write_seconds}};
   double total = 0;
@@ -140,6 +164,7 @@ Report make_report(const Scene& scene, const MeshInput& input, const ViewAnalysi
           {"precision", {{"arithmetic", to_string(view.scene.arithmetic)}, {"grid_bits", view.scene.grid_bits}}},
           {"counts", counts_part(input, view, faces)},
           {"areas", areas_part(view, faces)},
+          {"reflections", reflections_part(scene, view, faces)},
           {"below_resolution", below_resolution_part(view.polygons)},
           {"times_s", times_part(input, analysis.seconds, write_seconds)},
           {"peak_memory_bytes", peak_memory_bytes()},

@@ -1,4 +1,4 @@
-// What the command is asked to analyse: a mesh file, which sides of its faces count, and the cameras.
+// What the command is asked to analyse: a mesh file, which sides of its faces count, the cameras and the panels.
 #pragma once
 
 #include <string>
@@ -6,6 +6,7 @@
 
 #include "geometry/camera.h"
 #include "geometry/culling.h"
+#include "reflect/panel.h"
 
 namespace sightline {
 
@@ -14,6 +15,7 @@ struct Scene {
   std::string mesh_file;  // a path that can be opened from the working directory
   SidesPolicy sides = SidesPolicy::automatic;
   std::vector<Camera> cameras;  // at least one; names are distinct and safe folder names
+  std::vector<Panel> panels;    // names are distinct, and one word each
 };
 
 }  // namespace sightline

@@ -10,9 +10,11 @@
 #include <set>
 
 #include "cli/camera_table.h"
+#include "cli/panel_table.h"
 #include "cli/toml_reader.h"
 #include "cli/toml_text.h"
 #include "geometry/errors.h"
+#include "reconstruct/labelled_mesh.h"
 
 namespace sightline {
 
@@ -50,38 +52,63 @@ std::string read_file_name(const TomlReader& mesh) {
   return name;
 }
 
-// One element of [[camera]].
-TomlReader camera_table(const toml::node& element, const std::string& path) {
-  const std::size_t line = element.source().begin.line;
-  if (!element.is_table()) throw InputError(path, line, "'camera' must be an array of tables: [[camera]]");
-  return {*element.as_table(), path, "[[camera]]", line};
+// Of the elements of [[camera]] or [[panel]], which have distinct names.
+template <class Item, class Read>
+std::vector<Item> read_tables(const toml::array& elements, const std::string& path, const std::string& kind,
+                              Read read) {
+  std::vector<Item> items;
+  std::set<std::string> names;
+  for (const toml::node& element : elements) {
+    const std::size_t line = element.source().begin.line;
+    if (!element.is_table())
+      throw InputError(path, line, fmt::format("'{}' must be an array of tables: [[{}]]", kind, kind));
+    const TomlReader table{*element.as_table(), path, "[[" + kind + "]]", line};
+    items.push_back(read(table));
+    const std::string& name = items.back().name;
+    if (!names.insert(name).second)
+      table.fail("name", fmt::format("a second {} is called \"{}\"; names must be distinct", kind, name));
+  }
+  return items;
+}
+
+// Null where there are none.
+const toml::array* table_array(const toml::table& root, const std::string& path, const std::string& kind) {
+  const toml::node* node = root.get(kind);
+  if (node == nullptr) return nullptr;
+  if (!node->is_array()) {
+    throw InputError(path, node->source().begin.line,
+                     fmt::format("'{}' must be an array of tables: [[{}]]", kind, kind));
+  }
+  return node->as_array();
 }
 
 std::vector<Camera> read_cameras(const toml::table& root, const std::string& path) {
-  const toml::node* node = root.get("camera");
-  if (node == nullptr) throw InputError(path, 0, "there is no [[camera]]; add at least one");
-  const toml::array* elements = node->as_array();
-  const std::size_t line = node->source().begin.line;
-  if (elements == nullptr) throw InputError(path, line, "'camera' must be an array of tables: [[camera]]");
-  if (elements->empty()) throw InputError(path, line, "there is no [[camera]]; add at least one");
-  std::vector<Camera> cameras;
-  std::set<std::string> names;
-  for (const toml::node& element : *elements) {
-    const TomlReader table = camera_table(element, path);
-    cameras.push_back(read_camera(table));
-    const std::string& name = cameras.back().name;
-    if (!names.insert(name).second)
-      table.fail("name", fmt::format("a second camera is called \"{}\"; names must be distinct", name));
-  }
-  return cameras;
+  const toml::array* elements = table_array(root, path, "camera");
+  if (elements == nullptr) throw InputError(path, 0, "there is no [[camera]]; add at least one");
+  if (elements->empty())
+    throw InputError(path, elements->source().begin.line, "there is no [[camera]]; add at least one");
+  return read_tables<Camera>(*elements, path, "camera", read_camera);
 }
 
-void refuse_panels(const toml::table& root, const std::string& path) {
-  const toml::node* node = root.get("panel");
+std::vector<Panel> read_panels(const toml::table& root, const std::string& path) {
+  const toml::array* elements = table_array(root, path, "panel");
+  if (elements == nullptr) return {};
+  std::vector<Panel> panels = read_tables<Panel>(*elements, path, "panel", read_panel);
+  if (panels.size() <= most_panels) return panels;
+  throw InputError(path, elements->get(most_panels)->source().begin.line,
+                   fmt::format("more than {} panels", most_panels));
+}
+
+// What follows from it is the default.
+void check_reflection_mode(const toml::table& root, const std::string& path) {
+  const toml::node* node = root.get("reflection");
   if (node == nullptr) return;
-  const toml::array* panels = node->as_array();
-  const toml::node& first = panels != nullptr && !panels->empty() ? *panels->get(0) : *node;
-  throw InputError(path, first.source().begin.line, "panels are not supported yet; remove the [[panel]] tables");
+  const std::size_t line = node->source().begin.line;
+  if (!node->is_table()) throw InputError(path, line, "'reflection' must be a table: [reflection]");
+  const TomlReader table{*node->as_table(), path, "[reflection]", line};
+  table.allow_only({"mode"});
+  if (table.has("mode") && table.text("mode") != "exact")
+    table.fail("mode", "'mode' must be \"exact\", so far the only one");
 }
 
 }  // namespace
@@ -95,8 +122,8 @@ std::optional<SidesPolicy> sides_policy(std::string_view word) {
 
 Scene parse_scene(std::string_view text, const std::string& path) {
   const toml::table root = parsed(text, path);
-  TomlReader(root, path, "the scene file", 0).allow_only({"mesh", "camera", "panel"});
-  refuse_panels(root, path);
+  TomlReader(root, path, "the scene file", 0).allow_only({"mesh", "camera", "panel", "reflection"});
+  check_reflection_mode(root, path);
   const TomlReader mesh = mesh_table(root, path);
   mesh.allow_only({"file", "sides"});
   Scene scene;
@@ -104,6 +131,7 @@ Scene parse_scene(std::string_view text, const std::string& path) {
   scene.mesh_file = (std::filesystem::path(path).parent_path() / read_file_name(mesh)).string();
   scene.sides = read_sides(mesh);
   scene.cameras = read_cameras(root, path);
+  scene.panels = read_panels(root, path);
   return scene;
 }
 

@@ -1,9 +1,9 @@
-// Scene files (TOML): which mesh, and the cameras. The README describes the format.
+// Scene files (TOML): which mesh, the cameras, and the panels. The README describes the format.
 //
 // In:  the path of a scene file. Out: a Scene; paths in the file are relative to the file's folder.
 // Errors: InputError with file and line: no such file, more than 64 MiB, TOML that does not parse, a line with more than
-// 1000 dots, a key that is unknown, missing or of the wrong type, twice the same camera name, a camera that defines no
-// view.
+// 1000 dots, a key that is unknown, missing or of the wrong type, twice the same name, a camera that defines no view, a
+// panel that is no planar polygon.
 #pragma once
 
 #include <string>

@@ -58,6 +58,19 @@ Vector3 TomlReader::vector(std::string_view key) const {
   return {x, y, z};
 }
 
+std::vector<Vector3> TomlReader::points(std::string_view key) const {
+  const toml::node& value = node(key);
+  const toml::array* rows = value.as_array();
+  if (rows == nullptr)
+    throw InputError(*file_, line_of(value), fmt::format("'{}' must be of the form [[x, y, z], ...]", key));
+  std::vector<Vector3> result;
+  for (const toml::node& element : *rows) {
+    const auto [x, y, z] = row<3>(element, key);
+    result.push_back({x, y, z});
+  }
+  return result;
+}
+
 double TomlReader::finite_number(const toml::node& node, std::string_view key) const {
   if (!node.is_number()) throw InputError(*file_, line_of(node), fmt::format("'{}' must be made of numbers", key));
   const double value =

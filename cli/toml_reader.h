@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "geometry/vector3.h"
 
@@ -30,6 +31,9 @@ class TomlReader {
   [[nodiscard]] std::optional<double> optional_number(std::string_view key) const;
   [[nodiscard]] Vector3 vector(std::string_view key) const;
   [[nodiscard]] std::array<double, 2> pair(std::string_view key) const { return row<2>(node(key), key); }
+
+  // [[x, y, z], ...], however many.
+  [[nodiscard]] std::vector<Vector3> points(std::string_view key) const;
 
   template <std::size_t Columns>
   [[nodiscard]] std::array<std::array<double, Columns>, 3> matrix(std::string_view key) const {

@@ -39,8 +39,8 @@ MeshInput read_mesh(const std::string& file, std::uint64_t max_memory, Progress&
   return input;
 }
 
-ViewAnalysis analyze_view(const MeshInput& input, const Camera& camera, SidesPolicy policy, const Precision& precision,
-                          Progress& progress) {
+ViewAnalysis analyze_view(const MeshInput& input, const MirrorWorld& world, const Camera& camera, SidesPolicy policy,
+                          const Precision& precision, Progress& progress) {
   const Mesh& mesh = input.mesh;
   ViewAnalysis analysis;
   StageSeconds& seconds = analysis.seconds;
@@ -54,8 +54,18 @@ ViewAnalysis analyze_view(const MeshInput& input, const Camera& camera, SidesPol
   view.segments = timed(seconds.sweep, [&] { return watched_sweep(mesh, view.scene, progress); });
   progress.stage(camera.name + ": reconstruct the visible polygons");
   view.polygons = timed(seconds.reconstruct, [&] { return reconstruct_polygons(mesh, view.scene, view.segments); });
+  if (!world.panels.empty()) {
+    progress.stage(camera.name + ": reflect the panels");
+    ReflectedView reflected =
+        timed(seconds.reflect, [&] { return reflect(world, view.scene, view.segments, view.polygons); });
+    view.scene = std::move(reflected.scene);
+    view.segments = std::move(reflected.segments);
+    view.reflections = std::move(reflected.reflections);
+  }
   progress.stage(camera.name + ": label the surface");
-  view.labelled = timed(seconds.label, [&] { return label_mesh(mesh, view.scene, view.segments, view.polygons); });
+  view.labelled = timed(seconds.label, [&] {
+    return label_mesh(mesh, view.scene, view.segments, view.polygons, panel_borders(view.reflections));
+  });
   return analysis;
 }
 

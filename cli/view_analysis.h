@@ -30,6 +30,7 @@ struct StageSeconds {
   double project = 0;
   double sweep = 0;
   double reconstruct = 0;
+  double reflect = 0;
   double label = 0;
 };
 
@@ -40,8 +41,9 @@ struct ViewAnalysis {
   StageSeconds seconds;
 };
 
+// world: of the input's mesh. Without panels nothing is reflected.
 // Errors: MemoryError, before the sweep; InternalError, or ArithmeticError where the arithmetic is not exact.
-[[nodiscard]] ViewAnalysis analyze_view(const MeshInput& input, const Camera& camera, SidesPolicy policy,
-                                        const Precision& precision, Progress& progress);
+[[nodiscard]] ViewAnalysis analyze_view(const MeshInput& input, const MirrorWorld& world, const Camera& camera,
+                                        SidesPolicy policy, const Precision& precision, Progress& progress);
 
 }  // namespace sightline

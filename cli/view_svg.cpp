@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "cli/face_shade.h"
@@ -52,14 +53,17 @@ void write_colour(const Colour& colour, TextBuffer& out) {
   for (const std::uint8_t channel : colour) out << digits[channel / 16U] << digits[channel % 16U];
 }
 
-void write_ring(const View& view, std::size_t ring, const std::vector<Point2>& places, TextBuffer& out) {
-  char command = 'M';
-  for (const SegmentId segment : view.polygons.ring(ring)) {
-    const Point2& place = places[view.segments.segments[segment.index()].start.index()];
-    out << command << place.x << ' ' << place.y;
-    command = 'L';
+void write_rings(const VisibleSegments& segments, const VisiblePolygons& polygons, const VisiblePolygon& polygon,
+                 const std::vector<Point2>& places, TextBuffer& out) {
+  for (std::size_t r = 0; r < polygon.ring_count; ++r) {
+    char command = 'M';
+    for (const SegmentId segment : polygons.ring(polygon.first_ring + r)) {
+      const Point2& place = places[segments.segments[segment.index()].start.index()];
+      out << command << place.x << ' ' << place.y;
+      command = 'L';
+    }
+    out << 'Z';
   }
-  out << 'Z';
 }
 
 void write_names(FaceId face, std::size_t occurrence, Facing facing, TextBuffer& out) {
@@ -78,24 +82,53 @@ void write_polygon(const Mesh& mesh, const View& view, const VisiblePolygon& pol
   out << "\" stroke=\"";
   write_colour(shade.stroke, out);
   out << "\" d=\"";
-  for (std::size_t r = 0; r < polygon.ring_count; ++r) write_ring(view, polygon.first_ring + r, places, out);
+  write_rings(view.segments, view.polygons, polygon, places, out);
   out << "\"/>\n";
+}
+
+// Calls visit(polygon, occurrence) for those above resolution. The polygons come by face, so those of one face follow
+// each other.
+template <class Visit>
+void for_each_polygon(const VisiblePolygons& polygons, Visit visit) {
+  FaceId last;
+  std::size_t occurrence = 0;
+  for (const VisiblePolygon& polygon : polygons.polygons) {
+    if (polygon.below_resolution) continue;
+    occurrence = polygon.face == last ? occurrence + 1 : 1;
+    last = polygon.face;
+    visit(polygon, occurrence);
+  }
+}
+
+// Light on a blue surface: told apart from it, and from each other, by brightness too.
+constexpr std::array<std::string_view, 4> panel_colours{"#ffd54a", "#ff8f3f", "#fff6c8", "#f25f5c"};
+
+void write_panel(const PanelReflection& reflection, const std::string& name, std::size_t number,
+                 const std::vector<Point2>& places, TextBuffer& out) {
+  const std::string_view colour = panel_colours[number % panel_colours.size()];
+  const std::string panel = escaped(name);
+  out << "<g class=\"reflecting\" data-panel=\"" << panel << "\" fill=\"" << colour << "\" stroke=\"#7a5b00\">\n";
+  for_each_polygon(reflection.polygons, [&](const VisiblePolygon& polygon, std::size_t occurrence) {
+    out << "<path id=\"reflecting-" << panel << '-' << polygon.face.value;
+    if (occurrence > 1) out << '-' << std::uint64_t{occurrence};
+    out << "\" data-face=\"" << polygon.face.value << "\" d=\"";
+    write_rings(reflection.segments, reflection.polygons, polygon, places, out);
+    out << "\"/>\n";
+  });
+  out << "</g>\n";
 }
 
 }  // namespace
 
-// The polygons come by face, so those of one face follow each other.
-std::string view_svg(const Mesh& mesh, const View& view, const std::vector<Point2>& places) {
+std::string view_svg(const Mesh& mesh, const View& view, const std::vector<Point2>& places,
+                     const std::vector<std::string>& panels) {
   TextBuffer out;
   out << header(view.scene.camera, view.polygons.polygons.size());
-  FaceId last;
-  std::size_t occurrence = 0;
-  for (const VisiblePolygon& polygon : view.polygons.polygons) {
-    if (polygon.below_resolution) continue;
-    occurrence = polygon.face == last ? occurrence + 1 : 1;
-    last = polygon.face;
+  for_each_polygon(view.polygons, [&](const VisiblePolygon& polygon, std::size_t occurrence) {
     write_polygon(mesh, view, polygon, occurrence, places, out);
-  }
+  });
+  for (std::size_t p = 0; p < view.reflections.panels.size(); ++p)
+    write_panel(view.reflections.panels[p], panels[p], p, places, out);
   out << "</g>\n</svg>\n";
   return out.take();
 }

@@ -2,7 +2,8 @@
 //
 // One path per visible polygon above resolution: id "face-F" ("face-F-2", ... for further polygons of the same face),
 // data-face, class front or back. Path coordinates are the window's, [-1, 1]^2 with y up, at full precision; a
-// transform turns them into SVG's y-down axes and the window's aspect.
+// transform turns them into SVG's y-down axes and the window's aspect. Above them a group per panel: class "reflecting",
+// data-panel, with one path per reflecting polygon: id "reflecting-PANEL-F", numbered likewise, and data-face.
 #pragma once
 
 #include <string>
@@ -13,7 +14,8 @@
 
 namespace sightline {
 
-// places: window_points(view).
-[[nodiscard]] std::string view_svg(const Mesh& mesh, const View& view, const std::vector<Point2>& places);
+// places: window_points(view). panels: their names.
+[[nodiscard]] std::string view_svg(const Mesh& mesh, const View& view, const std::vector<Point2>& places,
+                                   const std::vector<std::string>& panels = {});
 
 }  // namespace sightline

@@ -75,6 +75,9 @@ struct ProjectedScene {
   Arithmetic arithmetic = Arithmetic::exact;  // in which vertices were projected, and the stages that follow decide
   int grid_bits = default_grid_bits;
 
+  // Some edges are lines seen in mirrors (reflect/merged_scene.h), and have no sides.
+  bool has_mirrored_lines = false;
+
   std::vector<ImagePoint> points;
   std::vector<SceneEdge> edges;  // one more than there are edges: the last one only ends the sides
   std::vector<EdgeSide> sides;

@@ -64,7 +64,8 @@ void check_edges(const ProjectedScene& scene, Messages& messages) {
     if (!(edge.top < edge.bottom)) messages.push_back(name(EdgeId(e)) + " has its top not before its bottom");
     if (e > 0 && std::pair(scene.edges[e - 1].top, scene.edges[e - 1].bottom) >= std::pair(edge.top, edge.bottom))
       messages.push_back(name(EdgeId(e)) + " is repeated or out of order");
-    if (scene.sides_of(EdgeId(e)).empty()) messages.push_back(name(EdgeId(e)) + " belongs to no facet");
+    if (scene.sides_of(EdgeId(e)).empty() && !scene.has_mirrored_lines)
+      messages.push_back(name(EdgeId(e)) + " belongs to no facet");
     for (const EdgeSide& side : scene.sides_of(EdgeId(e))) {
       if (side.winding == 0) messages.push_back(name(EdgeId(e)) + " changes nothing for " + name(side.facet));
       if (scene.status[side.facet.index()] != Status::in_view)

@@ -19,7 +19,7 @@ namespace {
 class Labeller {
  public:
   Labeller(const Mesh& mesh, const ProjectedScene& scene, const VisibleSegments& segments,
-           const VisiblePolygons& polygons)
+           const VisiblePolygons& polygons, const PanelBorders& panels)
       : mesh_(mesh),
         scene_(scene),
         segments_(segments),
@@ -32,6 +32,10 @@ class Labeller {
                                                          [](const EdgeSplit& s) { return s.mesh_edge.valid(); });
     border_splits_.assign(first_border_split, segments.splits.end());
     std::sort(border_splits_.begin(), border_splits_.end(), by_facet);
+    for (std::size_t panel = 0; panel < panels.size(); ++panel) {
+      for (const VisibleSegment& s : panels[panel]) reflecting_.push_back({s, panel});
+    }
+    std::ranges::stable_sort(reflecting_, {}, [](const ReflectingSegment& r) { return r.segment.facet; });
   }
 
   LabelledMesh run() {
@@ -72,8 +76,9 @@ class Labeller {
     const std::vector<SegmentId> visible = visible_segments_of(surface);
     const bool all_proper = end - begin > 1 || is_proper(mesh_, scene_, surface);
     bool seen = !visible.empty() && all_proper;
-    if (seen && !is_whole(visible, begin, end)) {
-      if (add_partly_visible(begin, end, visible)) return;
+    const auto reflecting = reflecting_on(surface);
+    if (seen && (!reflecting.empty() || !is_whole(visible, begin, end))) {
+      if (add_partly_visible(begin, end, visible, reflecting)) return;
       seen = is_mostly_visible(begin, end);
     }
     for (std::size_t f = begin; f < end; f = end_of_whole(f)) add_uniform_whole(f, seen);
@@ -174,9 +179,10 @@ class Labeller {
 
   // False, and nothing added, where the rounded border of a surface crosses itself: parts of it are narrower than the
   // grid, and its image is no polygon. Such a surface gets one label, that of most of its area.
-  bool add_partly_visible(std::size_t begin, std::size_t end, const std::vector<SegmentId>& visible) {
+  bool add_partly_visible(std::size_t begin, std::size_t end, const std::vector<SegmentId>& visible,
+                          std::span<const ReflectingSegment> reflecting) {
     const bool front = scene_.facing[begin] == Facing::front;
-    SurfaceInView surface{FacetId(begin), !front, {}, visible};
+    SurfaceInView surface{FacetId(begin), !front, {}, visible, reflecting};
     for (std::size_t f = begin; f < end; ++f) {
       if (scene_.status[f] != Status::in_view) continue;
       surface.borders.push_back(
@@ -191,6 +197,7 @@ class Labeller {
     for (const Piece& piece : pieces) {
       const Label label = !front ? Label::back_facing : (piece.visible ? Label::visible : Label::hidden);
       add_triangle(FacetId(begin), piece.corners, label, piece.visible);
+      result_.triangles.back().reflecting = piece.reflecting;
     }
     for (std::size_t f = begin; f < end; ++f) {
       if (scene_.status[f] != Status::in_view) {
@@ -200,6 +207,12 @@ class Labeller {
       }
     }
     return true;
+  }
+
+  [[nodiscard]] std::span<const ReflectingSegment> reflecting_on(FacetId surface) const {
+    const auto found =
+        std::ranges::equal_range(reflecting_, surface, {}, [](const ReflectingSegment& r) { return r.segment.facet; });
+    return {found.begin(), found.end()};
   }
 
   [[nodiscard]] std::span<const EdgeSplit> border_splits_of(FacetId f) const {
@@ -235,7 +248,8 @@ class Labeller {
   LabelledMesh result_;
   const EdgePoints edge_points_;
   SurfaceVertices inner_;
-  std::vector<EdgeSplit> border_splits_;  // along the view volume's border, by facet
+  std::vector<EdgeSplit> border_splits_;       // along the view volume's border, by facet
+  std::vector<ReflectingSegment> reflecting_;  // by surface, then by panel
   std::size_t next_polygon_ = 0;
 };
 
@@ -264,9 +278,9 @@ const char* to_string(Label label) {
 }
 
 LabelledMesh label_mesh(const Mesh& mesh, const ProjectedScene& scene, const VisibleSegments& segments,
-                        const VisiblePolygons& polygons) {
+                        const VisiblePolygons& polygons, const PanelBorders& panels) {
   if (scene.arithmetic != Arithmetic::exact) require_valid(mesh, scene, segments, polygons);
-  return with_invariants_of(scene.arithmetic, [&] { return Labeller(mesh, scene, segments, polygons).run(); });
+  return with_invariants_of(scene.arithmetic, [&] { return Labeller(mesh, scene, segments, polygons, panels).run(); });
 }
 
 }  // namespace sightline

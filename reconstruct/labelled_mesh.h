@@ -1,6 +1,6 @@
 // The labelled surface: the whole input surface, refined so that every triangle is wholly one thing.
 //
-// In:  mesh, projected scene, visible segments and polygons.
+// In:  mesh, projected scene, visible segments and polygons, and what reflects panels.
 // Out: LabelledMesh.
 // Holds (validate(labelled, mesh, scene) checks it):
 //   - the first vertices are the input's, bit for bit and in order;
@@ -17,6 +17,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -41,7 +42,13 @@ struct LabelledTriangle {
   FaceId face;
   Label label = Label::hidden;
   bool seen = false;  // the camera sees it: label visible, or a piece of a back-facing face that nothing hides
+  std::uint64_t reflecting = 0;  // bit p: it mirrors panel p into the camera
 };
+
+// Per panel, the borders of what reflects it (reflect/reflections.h): directed pieces within visible polygons, each on
+// a surface that its `facet` names. At most 64 panels.
+using PanelBorders = std::vector<std::span<const VisibleSegment>>;
+constexpr std::size_t most_panels = 64;
 
 struct LabelledMesh {
   std::vector<Point3> vertices;
@@ -49,7 +56,7 @@ struct LabelledMesh {
 };
 
 [[nodiscard]] LabelledMesh label_mesh(const Mesh& mesh, const ProjectedScene& scene, const VisibleSegments& segments,
-                                      const VisiblePolygons& polygons);
+                                      const VisiblePolygons& polygons, const PanelBorders& panels = {});
 
 // What of the above does not hold, one line each, with the ids; empty for a valid value.
 [[nodiscard]] std::vector<std::string> validate(const LabelledMesh& labelled, const Mesh& mesh,

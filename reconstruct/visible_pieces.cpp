@@ -9,13 +9,18 @@
 namespace sightline {
 namespace {
 
-// A directed line between two points, and what lies to its left: the surface, or a visible part of it.
+// A directed line between two points, and what lies to its left: the surface (kind 0), a visible part of it (1), or what
+// reflects a panel (2 and on).
 struct Line {
   PlanarPointId from;
   PlanarPointId to;
-  bool ring = false;
+  std::size_t kind = 0;
   friend auto operator<=>(const Line&, const Line&) = default;
 };
+
+constexpr std::size_t border_line = 0;
+constexpr std::size_t ring_line = 1;
+constexpr std::size_t first_panel_line = 2;
 
 class VisiblePieces {
  public:
@@ -35,7 +40,8 @@ class VisiblePieces {
     const auto [a, b, c] = plane_corners(mesh_, surface_.surface);
     points_.place_in_plane(mesh_.position(a), mesh_.position(b), mesh_.position(c), vertices);
     add_border_lines();
-    for (const SegmentId s : surface_.visible) add_ring_line(segments_.segments[s.index()]);
+    for (const SegmentId s : surface_.visible) add_segment(segments_.segments[s.index()], ring_line);
+    for (const ReflectingSegment& r : surface_.reflecting) add_segment(r.segment, first_panel_line + r.panel);
     std::sort(lines_.begin(), lines_.end());
     std::vector<Constraint> constraints;
     for (const Line& line : lines_) constraints.push_back({line.from, line.to});
@@ -90,6 +96,11 @@ class VisiblePieces {
       const PointId p = segments_.segments[s.index()].start;
       if (!points_.contains(p)) inside.push_back(p);
     }
+    for (const ReflectingSegment& r : surface_.reflecting) {
+      if (!points_.contains(r.segment.start)) inside.push_back(r.segment.start);
+    }
+    std::ranges::sort(inside);
+    inside.erase(std::unique(inside.begin(), inside.end()), inside.end());
     const std::vector<KnownVertex> known = vertices_on_lines();
     for (const PointId p : inside) {
       const auto found = std::ranges::lower_bound(known, p, {}, &KnownVertex::point);
@@ -115,32 +126,33 @@ class VisiblePieces {
     return known;
   }
 
-  void add_line(PointId from, PointId to, bool ring) {
-    if (from != to) lines_.push_back({points_.index(from), points_.index(to), ring});
+  void add_line(PointId from, PointId to, std::size_t kind) {
+    if (from != to) lines_.push_back({points_.index(from), points_.index(to), kind});
   }
 
   void add_border_lines() {
     for (const BorderLine& line : border_) {
       if (surface_.back_facing) {
-        add_line(line.to_point, line.from_point, false);
+        add_line(line.to_point, line.from_point, border_line);
       } else {
-        add_line(line.from_point, line.to_point, false);
+        add_line(line.from_point, line.to_point, border_line);
       }
     }
   }
 
-  // Cut where points of the border lie on it: those of its own edge and, in a face with several facets, any.
-  void add_ring_line(const VisibleSegment& segment) {
+  // Cut where points of the border lie on it: those of its own edge and, in a face with several facets or one that
+  // reflects, any.
+  void add_segment(const VisibleSegment& segment, std::size_t kind) {
     std::vector<PointId> cuts = points_on(segment);
     std::sort(cuts.begin(), cuts.end(), [&](PointId a, PointId b) { return image_.sweeps_before(a, b); });
     cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
     if (!image_.sweeps_before(segment.start, segment.end)) std::reverse(cuts.begin(), cuts.end());
     PointId from = segment.start;
     for (const PointId p : cuts) {
-      add_line(from, p, true);
+      add_line(from, p, kind);
       from = p;
     }
-    add_line(from, segment.end, true);
+    add_line(from, segment.end, kind);
   }
 
   [[nodiscard]] std::vector<PointId> points_on(const VisibleSegment& segment) const {
@@ -155,7 +167,7 @@ class VisiblePieces {
         if (between(p.point) && points_.contains(p.point)) result.push_back(p.point);
       }
     }
-    if (surface_.borders.size() == 1) return result;
+    if (surface_.borders.size() == 1 && surface_.reflecting.empty()) return result;
     for (std::size_t i = 0; i < points_.size(); ++i) {
       const PointId p = points_[PlanarPointId(i)].point;
       if (between(p) && image_.orientation(top, bottom, p) == 0) result.push_back(p);
@@ -163,13 +175,14 @@ class VisiblePieces {
     return result;
   }
 
-  [[nodiscard]] bool has_line(PlanarPointId from, PlanarPointId to, bool ring) const {
-    return std::binary_search(lines_.begin(), lines_.end(), Line{from, to, ring});
+  [[nodiscard]] bool has_line(PlanarPointId from, PlanarPointId to, std::size_t kind) const {
+    return std::binary_search(lines_.begin(), lines_.end(), Line{from, to, kind});
   }
 
   struct Region {
     bool visible = false;
     bool outside = false;
+    std::uint64_t reflecting = 0;
   };
 
   [[nodiscard]] std::vector<Region> classify(const HalfEdgeTriangulation& triangulation, const Regions& regions) const {
@@ -183,10 +196,58 @@ class VisiblePieces {
         region.outside = region.outside || !triangulation.twin_of(h).valid();
         continue;
       }
-      region.visible = region.visible || has_line(from, to, true);
-      region.outside = region.outside || (has_line(to, from, false) && !has_line(from, to, false));
+      region.visible = region.visible || has_line(from, to, ring_line);
+      region.outside = region.outside || (has_line(to, from, border_line) && !has_line(from, to, border_line));
     }
+    if (!surface_.reflecting.empty()) classify_reflecting(triangulation, regions, result);
     return result;
+  }
+
+  // A region that only borders of reflecting parts bound does not show by them what else it lies in. So from the hull
+  // inwards, region by region: crossing a line to its left is entering what lies to its left.
+  void classify_reflecting(const HalfEdgeTriangulation& triangulation, const Regions& regions,
+                           std::vector<Region>& result) const {
+    const std::vector<HalfEdgeId> entries = entries_from_hull(triangulation, regions);
+    std::size_t kinds = first_panel_line;
+    for (const Line& line : lines_) kinds = std::max(kinds, line.kind + 1);
+    std::vector<std::vector<int>> windings(regions.count);
+    for (const HalfEdgeId h : entries) {
+      const HalfEdgeId twin = triangulation.twin_of(h);
+      std::vector<int> inside(kinds, 0);
+      if (twin.valid()) inside = windings[regions.of_triangle[twin.index() / 3].index()];
+      const PlanarPointId from = triangulation.from(h);
+      const PlanarPointId to = triangulation.to(h);
+      for (std::size_t kind = ring_line; kind < kinds; ++kind)
+        inside[kind] += (has_line(from, to, kind) ? 1 : 0) - (has_line(to, from, kind) ? 1 : 0);
+      const std::size_t region = regions.of_triangle[h.index() / 3].index();
+      result[region].visible = inside[ring_line] > 0;
+      for (std::size_t kind = first_panel_line; kind < kinds; ++kind)
+        result[region].reflecting |= std::uint64_t{inside[kind] > 0 ? 1U : 0U} << (kind - first_panel_line);
+      windings[region] = std::move(inside);
+    }
+  }
+
+  // Per region one half-edge of it that leads in from the hull, or from a region before.
+  [[nodiscard]] static std::vector<HalfEdgeId> entries_from_hull(const HalfEdgeTriangulation& triangulation,
+                                                                 const Regions& regions) {
+    std::vector<HalfEdgeId> entries;
+    std::vector<std::uint8_t> entered(regions.count, 0);
+    const auto region_of = [&](HalfEdgeId h) { return regions.of_triangle[h.index() / 3].index(); };
+    const auto enter = [&](HalfEdgeId h) {
+      if (entered[region_of(h)] == 0) entries.push_back(h);
+      entered[region_of(h)] = 1;
+    };
+    std::vector<std::vector<HalfEdgeId>> exits(regions.count);
+    for (std::size_t i = 0; i < triangulation.origin.size(); ++i) {
+      const HalfEdgeId h(i);
+      if (!triangulation.twin_of(h).valid()) enter(h);
+      if (triangulation.is_constrained(h) && triangulation.twin_of(h).valid()) exits[region_of(h)].push_back(h);
+    }
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+      const std::size_t region = region_of(entries[i]);
+      for (const HalfEdgeId h : exits[region]) enter(triangulation.twin_of(h));
+    }
+    return entries;
   }
 
   void add_regions(const HalfEdgeTriangulation& triangulation) {
@@ -197,8 +258,9 @@ class VisiblePieces {
       if (kind.outside && !kind.visible) continue;
       auto corners = triangulation.corners(TriangleId(t));
       if (surface_.back_facing) std::swap(corners[1], corners[2]);
-      pieces_.push_back(
-          {{points_[corners[0]].vertex, points_[corners[1]].vertex, points_[corners[2]].vertex}, kind.visible});
+      pieces_.push_back({{points_[corners[0]].vertex, points_[corners[1]].vertex, points_[corners[2]].vertex},
+                         kind.visible,
+                         kind.reflecting});
     }
   }
 
@@ -215,7 +277,7 @@ class VisiblePieces {
 
   void add_join(VertexId a, VertexId b, VertexId c) {
     if (welded(a) == welded(b) || welded(b) == welded(c) || welded(c) == welded(a)) return;
-    pieces_.push_back({{a, b, c}, false});
+    pieces_.push_back({{a, b, c}, false, 0});
   }
 
   const Mesh& mesh_;

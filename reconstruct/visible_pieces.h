@@ -1,6 +1,7 @@
-// The part of a surface in view, in triangles that are each wholly visible or wholly hidden.
+// The part of a surface in view, in triangles that are each wholly visible or wholly hidden, and reflect a panel wholly
+// or not at all.
 //
-// In:  the borders of the surface's facets in view, and its visible polygons.
+// In:  the borders of the surface's facets in view, its visible polygons, and what of them reflects panels.
 // Out: triangles in the surface's orientation. A constrained Delaunay triangulation (in the surface's own plane) of
 //      the border and the visible rings, whose structure is decided exactly in the image. A region between
 //      constraints is visible where a ring has it on its left, outside where only the border has it on its right,
@@ -25,6 +26,13 @@ namespace sightline {
 struct Piece {
   std::array<VertexId, 3> corners;
   bool visible = false;
+  std::uint64_t reflecting = 0;  // bit per panel
+};
+
+// A piece of the border of what reflects a panel, within a visible polygon.
+struct ReflectingSegment {
+  VisibleSegment segment;
+  std::size_t panel = 0;
 };
 
 struct SurfaceInView {
@@ -32,6 +40,7 @@ struct SurfaceInView {
   bool back_facing = false;
   std::vector<std::vector<ViewBorderPoint>> borders;  // per facet in view
   std::vector<SegmentId> visible;                     // the segments of its visible polygons
+  std::span<const ReflectingSegment> reflecting;
 };
 
 // vertices: of the labelled surface.

@@ -9,6 +9,7 @@
 #include "geometry/projected_scene.h"
 #include "reconstruct/labelled_mesh.h"
 #include "reconstruct/visible_polygons.h"
+#include "reflect/reflections.h"
 #include "sweep/sweep.h"
 #include "sweep/visible_segments.h"
 
@@ -19,7 +20,14 @@ struct View {
   VisibleSegments segments;
   VisiblePolygons polygons;
   LabelledMesh labelled;
+  Reflections reflections;
 };
+
+[[nodiscard]] inline PanelBorders panel_borders(const Reflections& reflections) {
+  PanelBorders borders;
+  for (const PanelReflection& panel : reflections.panels) borders.emplace_back(panel.segments.segments);
+  return borders;
+}
 
 // The mesh's facets do not pass through each other: cut_along_common_lines sees to that.
 [[nodiscard]] inline View analyze(const Mesh& mesh, const Camera& camera, Sides sides = Sides::both,
@@ -29,6 +37,22 @@ struct View {
   view.segments = sweep(mesh, view.scene, observer);
   view.polygons = reconstruct_polygons(mesh, view.scene, view.segments);
   view.labelled = label_mesh(mesh, view.scene, view.segments, view.polygons);
+  return view;
+}
+
+// With panels: world.surface is the mesh.
+[[nodiscard]] inline View analyze(const MirrorWorld& world, const Camera& camera, Sides sides = Sides::both,
+                                  const Precision& precision = {}) {
+  const Mesh& mesh = *world.surface;
+  View view;
+  view.scene = project(mesh, camera, sides, precision);
+  view.segments = sweep(mesh, view.scene);
+  view.polygons = reconstruct_polygons(mesh, view.scene, view.segments);
+  ReflectedView reflected = reflect(world, view.scene, view.segments, view.polygons);
+  view.scene = std::move(reflected.scene);
+  view.segments = std::move(reflected.segments);
+  view.reflections = std::move(reflected.reflections);
+  view.labelled = label_mesh(mesh, view.scene, view.segments, view.polygons, panel_borders(view.reflections));
   return view;
 }
 

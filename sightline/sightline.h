@@ -15,6 +15,8 @@
 #include "geometry/vector3.h"
 #include "reconstruct/labelled_mesh.h"
 #include "reconstruct/visible_polygons.h"
+#include "reflect/panel.h"
+#include "reflect/reflections.h"
 #include "sightline/analyze.h"
 #include "sweep/sweep.h"
 #include "sweep/visible_segments.h"

@@ -49,7 +49,8 @@ Analysed analysed(const std::string& scene_file, std::size_t camera) {
   Analysed result;
   result.scene = read_scene_file(std::string(SIGHTLINE_FIXTURES_DIR) + "/" + scene_file);
   result.input = read_mesh(result.scene.mesh_file, default_memory_limit(), silent);
-  result.analysis = analyze_view(result.input, result.scene.cameras[camera], result.scene.sides, {}, silent);
+  result.analysis = analyze_view(result.input, make_mirror_world(result.input.mesh, result.scene.panels),
+                                 result.scene.cameras[camera], result.scene.sides, {}, silent);
   result.faces = measure_faces(result.input.mesh, result.analysis.view);
   return result;
 }

@@ -44,6 +44,8 @@ std::string with(const std::string& text, const std::string& from, const std::st
 
 const std::string matrix = "[[500, 0, 320, 1600], [0, 500, 240, 1200], [0, 0, 1, 5]]";
 const std::string matrix_camera = "[[camera]]\nname = \"p\"\nP = " + matrix + "\nimage = [640, 480]\n";
+std::string panel(const std::string& corners) { return "[[panel]]\nname = \"left\"\ncorners = " + corners + "\n"; }
+const std::string square = "[[0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]]";
 const std::string beyond_ascii = "not valid TOML: a character that is not ASCII stands outside quotes";
 
 }  // namespace
@@ -79,6 +81,18 @@ TEST_CASE("sides are automatic where the file does not say, and an absolute mesh
   CHECK(scene.mesh_file == "/meshes/a.obj");
 }
 
+TEST_CASE("panels have names, corners and sides that shine") {
+  CHECK(parse_scene(good, "scene.toml").panels.empty());
+  const Scene scene = parse_scene(good + panel(square) + "[[panel]]\nname = \"right\"\ncorners = " + square +
+                                      "\nemits = \"front\"\n" + "[reflection]\nmode = \"exact\"\n",
+                                  "scene.toml");
+  REQUIRE(scene.panels.size() == 2);
+  CHECK(scene.panels[0].name == "left");
+  CHECK(scene.panels[0].emits == Emits::both);
+  CHECK(scene.panels[0].corners == std::vector<Point3>{{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}});
+  CHECK(scene.panels[1].emits == Emits::front);
+}
+
 TEST_CASE("characters beyond ASCII are welcome in quotes and comments, and brackets at the start of a row") {
   const auto mesh_called = [](const std::string& quoted) {
     return parse_scene("\xEF\xBB\xBF# \u00e9 [\n" + with(good, "\"a.obj\"", quoted), "scene.toml").mesh_file;
@@ -110,7 +124,22 @@ TEST_CASE("what is wrong in a scene file is named with key and line") {
       {"camera = []\n" + mesh_part, 1, "no [[camera]]"},
       {"camera = [1]\n" + mesh_part, 1, "must be an array of tables"},
       {mesh_part + "[camera]\nname = \"front\"\n", 3, "must be an array of tables"},
-      {mesh_part + "[[panel]]\n[[panel]]\n" + pinhole, 3, "panels are not supported yet"},
+      {mesh_part + "[panel]\n" + pinhole, 3, "'panel' must be an array of tables"},
+      {good + "[[panel]]\n", 8, "[[panel]] has no 'name'"},
+      {good + "[[panel]]\nname = \"a b\"\n", 9, "has a space"},
+      {good + "[[panel]]\nname = \"a/b\"\n", 9, "has one of /"},
+      {good + "[[panel]]\nname = \"a\"\n", 8, "[[panel]] has no 'corners'"},
+      {good + panel("[[0, 0, 0], [1, 0, 0]]"), 10, "panel \"left\": too few corners"},
+      {good + panel("[[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0.5]]"), 10, "its corners are not in one plane"},
+      {good + panel("[[0, 0, 0], [1, 0, 0], [1, 1]]"), 10, "'corners' must be of the form"},
+      {good + panel("[0, 0, 0]"), 10, "'corners' must be of the form"},
+      {good + panel("7"), 10, "'corners' must be of the form [[x, y, z], ...]"},
+      {good + panel(square) + "emits = \"back\"\n", 11, "'emits' must be \"front\" or \"both\""},
+      {good + panel(square) + "colour = 1\n", 11, "unknown key 'colour' in [[panel]]"},
+      {good + panel(square) + panel(square), 12, "a second panel is called \"left\""},
+      {good + "[reflection]\nmode = \"triangles\"\n", 9, "'mode' must be \"exact\""},
+      {good + "[reflection]\nmade = \"exact\"\n", 9, "unknown key 'made' in [reflection]"},
+      {"reflection = 1\n" + good, 1, "'reflection' must be a table"},
       {"colour = 1\n" + good, 1, "unknown key 'colour' in the scene file"},
       {"\"one\\ntwo\" = 1\n" + good, 1, "unknown key 'one\\x0atwo' in the scene file"},
       {mesh_part + "side = \"auto\"\n" + pinhole, 3, "unknown key 'side' in [mesh]; it can have: file, sides"},

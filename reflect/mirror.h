@@ -1,0 +1,74 @@
+// One surface as a mirror: what of its visible polygons reflects a panel.
+//
+// In:  a surface in view (a planar face, or a facet), its visible polygons, the panels and what may be in the way.
+// Out: per visible polygon and panel the border of the part that mirrors the panel into the camera. Exact in the image:
+//      rounded are only the image points of panels and obstacles in the mirror, once, to the grid.
+// Method: the panel as the camera sees it in the mirror (mirror_view.h), without what obstacles hide (lit_region.h), and
+//      of that what lies in the visible polygon (overlay.h). An obstacle hides a panel where it is before the panel's
+//      plane, seen from the mirror camera; other panels are obstacles, with both sides. Most polygons are done with when
+//      their pyramid misses the panel, most others when it has no obstacle in it (pyramid.h).
+// Source: Koucky 2014, 3.9 and figures 3.9 and 3.10. Departures: his obstacle test asks for vertices inside the pyramid,
+//      and a triangle reflects wholly or not at all; here an obstacle is whatever reaches into the pyramid, and the
+//      reflecting part is cut out.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "reconstruct/visible_polygons.h"
+#include "reflect/lit_region.h"
+#include "reflect/mirror_view.h"
+#include "reflect/obstacles.h"
+#include "reflect/panel.h"
+
+namespace sightline {
+
+// Everything that can be reflected or be in the way, prepared once for all cameras.
+struct MirrorWorld {
+  const Mesh* surface = nullptr;
+  std::vector<Panel> panels;
+  std::vector<Mesh> panel_meshes;  // one face each
+  std::vector<ExactPlane> panel_planes;
+  std::vector<Box> panel_boxes;
+  Obstacles obstacles;
+};
+
+// Errors: PanelError.
+[[nodiscard]] MirrorWorld make_mirror_world(const Mesh& surface, std::vector<Panel> panels);
+
+struct ReflectionStatistics {
+  std::uint64_t pyramids = 0;   // a visible polygon and a panel that its pyramid may reach
+  std::uint64_t obstacles = 0;  // facets that were looked at in them
+  std::uint64_t blocked = 0;    // pyramids in which an obstacle casts a shadow on the panel's image
+};
+
+class Mirror {
+ public:
+  Mirror(const MirrorWorld& world, const ProjectedScene& scene, FacetId surface);
+
+  // polygon: the border of one of the surface's visible polygons; part: a rectangle around it.
+  [[nodiscard]] RegionBorder reflecting(const RegionBorder& polygon, const WindowPart& part, std::size_t panel,
+                                        ReflectionStatistics& statistics);
+
+ private:
+  // A panel's image in the mirror, in convex polygons, and a rectangle around it; empty where it shows nothing.
+  struct PanelImage {
+    std::vector<ImagePolygon> polygons;
+    WindowPart part;
+    ExactPlane towards_centre;  // the panel's plane, with the mirror camera in front
+  };
+
+  [[nodiscard]] const PanelImage& image_of(std::size_t panel);
+  [[nodiscard]] std::vector<ImagePolygon> shadows(const WindowPart& part, std::size_t panel, const PanelImage& image,
+                                                  ReflectionStatistics& statistics) const;
+  void add_shadow(std::vector<ImagePolygon>& shadows, const CutPolygon& obstacle, const PanelImage& image) const;
+
+  const MirrorWorld& world_;
+  const ProjectedScene& scene_;
+  std::array<Point3, 3> plane_;  // three points of it, counter-clockwise seen from the eye
+  std::optional<MirrorView> view_;
+  std::map<std::size_t, PanelImage> images_;
+};
+
+}  // namespace sightline

@@ -1,0 +1,137 @@
+#include "reflect/overlay.h"
+
+#include <algorithm>
+
+namespace sightline {
+namespace {
+
+bool before(const ImagePlace& a, const ImagePlace& b) { return sweep_compare(a, b) < 0; }
+bool runs_down(const BorderPiece& piece) { return before(piece.start, piece.end); }
+const ImagePlace& upper(const BorderPiece& piece) { return runs_down(piece) ? piece.start : piece.end; }
+const ImagePlace& lower(const BorderPiece& piece) { return runs_down(piece) ? piece.end : piece.start; }
+
+// A piece with the places where it is to be divided.
+struct Divided {
+  BorderPiece piece;
+  std::vector<ImagePlace> places;
+
+  void add_if_inside(const ImagePlace& p) {
+    if (before(upper(piece), p) && before(p, lower(piece))) places.push_back(p);
+  }
+};
+
+// How often a region's border winds around what is just left and just right of a piece. The sweep line, from left to
+// right, enters the region where it crosses a piece that runs down.
+struct Windings {
+  int left = 0;
+  int right = 0;
+};
+
+Windings windings_beside(const RegionBorder& border, const BorderPiece& piece) {
+  const ImagePlace& p = upper(piece);
+  Windings windings;
+  for (const BorderPiece& other : border) {
+    if (before(p, upper(other)) || !before(p, lower(other))) continue;
+    const Sign at_point = side(other.line, p);
+    const Sign of_piece = at_point != 0 ? at_point : turn(other.line, piece.line);
+    if (of_piece < 0) continue;  // the piece is left of the other
+    const int change = runs_down(other) ? 1 : -1;
+    windings.right += change;
+    if (of_piece > 0) windings.left += change;
+  }
+  return windings;
+}
+
+class Overlay {
+ public:
+  Overlay(const RegionBorder& first, const RegionBorder& second) : first_(first), second_(second) {}
+
+  RegionBorder run() {
+    std::vector<Divided> of_first = divided(first_);
+    std::vector<Divided> of_second = divided(second_);
+    for (std::size_t i = 0; i < of_second.size(); ++i) {
+      for (Divided& s : of_first) divide(s, of_second[i]);
+      for (std::size_t j = 0; j < i; ++j) divide(of_second[j], of_second[i]);
+    }
+    for (Divided& s : of_first) for_each_part(s, [this](const BorderPiece& part) { add_of_first(part); });
+    for (Divided& s : of_second) for_each_part(s, [this](const BorderPiece& part) { add_of_second(part); });
+    drop_repeated();
+    return std::move(result_);
+  }
+
+ private:
+  static std::vector<Divided> divided(const RegionBorder& border) {
+    std::vector<Divided> result;
+    for (const BorderPiece& piece : border) result.push_back({piece, {}});
+    return result;
+  }
+
+  static void divide(Divided& s, Divided& t) {
+    if (before(lower(s.piece), upper(t.piece)) || before(lower(t.piece), upper(s.piece))) return;
+    const Sign s_start = side(t.piece.line, s.piece.start);
+    const Sign s_end = side(t.piece.line, s.piece.end);
+    const Sign t_start = side(s.piece.line, t.piece.start);
+    const Sign t_end = side(s.piece.line, t.piece.end);
+    if (s_start * s_end < 0 && t_start * t_end < 0) {
+      const ImagePlace place = crossing_place(s.piece.line, t.piece.line);
+      s.places.push_back(place);
+      t.places.push_back(place);
+      return;
+    }
+    if (s_start == 0) t.add_if_inside(s.piece.start);
+    if (s_end == 0) t.add_if_inside(s.piece.end);
+    if (t_start == 0) s.add_if_inside(t.piece.start);
+    if (t_end == 0) s.add_if_inside(t.piece.end);
+  }
+
+  template <class Visit>
+  static void for_each_part(Divided& divided, Visit visit) {
+    std::ranges::sort(divided.places, before);
+    if (!runs_down(divided.piece)) std::ranges::reverse(divided.places);
+    divided.places.push_back(divided.piece.end);
+    BorderPiece part{divided.piece.start, divided.piece.start, divided.piece.line};
+    for (const ImagePlace& p : divided.places) {
+      if (sweep_compare(part.start, p) == 0) continue;
+      part.end = p;
+      visit(part);
+      part.start = p;
+    }
+  }
+
+  void add_of_first(const BorderPiece& part) {
+    const Windings of_second = windings_beside(second_, part);
+    if ((runs_down(part) ? of_second.right : of_second.left) > 0) result_.push_back(part);
+  }
+
+  // Where it runs along the first region's border that border stands for it.
+  void add_of_second(const BorderPiece& part) {
+    const Windings of_second = windings_beside(second_, part);
+    const bool down = runs_down(part);
+    if ((down ? of_second.right : of_second.left) <= 0 || (down ? of_second.left : of_second.right) > 0) return;
+    const Windings of_first = windings_beside(first_, part);
+    if (of_first.left > 0 && of_first.right > 0) result_.push_back(part);
+  }
+
+  // Pieces of the second region may lie on each other.
+  void drop_repeated() {
+    const auto order = [](const BorderPiece& a, const BorderPiece& b) {
+      const int start = sweep_compare(a.start, b.start);
+      return start != 0 ? start < 0 : before(a.end, b.end);
+    };
+    const auto same = [](const BorderPiece& a, const BorderPiece& b) {
+      return sweep_compare(a.start, b.start) == 0 && sweep_compare(a.end, b.end) == 0;
+    };
+    std::ranges::stable_sort(result_, order);
+    result_.erase(std::unique(result_.begin(), result_.end(), same), result_.end());
+  }
+
+  const RegionBorder& first_;
+  const RegionBorder& second_;
+  RegionBorder result_;
+};
+
+}  // namespace
+
+RegionBorder common_part(const RegionBorder& first, const RegionBorder& second) { return Overlay(first, second).run(); }
+
+}  // namespace sightline

@@ -1,0 +1,26 @@
+// What two regions of the image have in common, exactly.
+//
+// In:  the borders of two regions, in directed pieces: closed rings with the region to their left. The first region's
+//      pieces meet in end points only. Those of the second may lie on and across each other; a place is in it where its
+//      pieces wind around it more than zero times.
+// Out: the border of the common part, in pieces that meet in end points only, with the part to their left. A piece lies
+//      on the line of the one that it came from. Empty where the regions have no area in common.
+// Complexity: O((m + n + k) (m + n)) for m and n pieces that meet k times: both regions are small where this is used.
+#pragma once
+
+#include <vector>
+
+#include "reflect/image_place.h"
+
+namespace sightline {
+
+struct BorderPiece {
+  ImagePlace start;
+  ImagePlace end;
+  ImageLine line;
+};
+using RegionBorder = std::vector<BorderPiece>;
+
+[[nodiscard]] RegionBorder common_part(const RegionBorder& first, const RegionBorder& second);
+
+}  // namespace sightline

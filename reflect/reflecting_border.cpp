@@ -1,0 +1,122 @@
+#include "reflect/reflecting_border.h"
+
+#include <algorithm>
+
+#include "geometry/errors.h"
+#include "geometry/facet_plane.h"
+#include "reconstruct/ring_linker.h"
+#include "sweep/edge_sides.h"
+
+namespace sightline {
+namespace {
+
+// The segments of one surface, and the nearest of them left of a point.
+class SurfaceBorder {
+ public:
+  SurfaceBorder(const ProjectedScene& scene, VisibleSegments& segments, std::vector<SegmentId> ids)
+      : scene_(scene), segments_(segments), sides_(scene, segments), ids_(std::move(ids)) {}
+
+  void add_threads() {
+    for (const Walk& walk : link_rings(scene_, segments_, ids_)) {
+      if (!walk.has_outer()) segments_.threads.push_back({walk.top, segment(ids_.front()).facet, left_of(walk.top)});
+    }
+  }
+
+ private:
+  [[nodiscard]] const VisibleSegment& segment(SegmentId s) const { return segments_.segments[s.index()]; }
+
+  // Of the hole's own segments none is left of its top.
+  [[nodiscard]] SegmentId left_of(PointId top) const {
+    SegmentId nearest;
+    for (const SegmentId s : ids_) {
+      const VisibleSegment& candidate = segment(s);
+      if (sides_.before(top, sides_.upper(candidate)) || !sides_.before(top, sides_.lower(candidate))) continue;
+      if (sides_.side(sides_.line(candidate.edge), top) <= 0) continue;
+      if (!nearest.valid() || lies_right_of(candidate, segment(nearest))) nearest = s;
+    }
+    if (!nearest.valid()) throw InternalError("nothing lies left of the hole at point " + std::to_string(top.value));
+    return nearest;
+  }
+
+  // Of two segments that the sweep line meets at once, and that do not cross.
+  [[nodiscard]] bool lies_right_of(const VisibleSegment& s, const VisibleSegment& t) const {
+    const SweptLine of_s = sides_.line(s.edge);
+    const SweptLine of_t = sides_.line(t.edge);
+    if (sides_.before(sides_.upper(s), sides_.upper(t))) {
+      const Sign t_beside_s = sides_.side(of_s, sides_.upper(t));
+      return t_beside_s != 0 ? t_beside_s < 0 : sides_.turn(of_t, of_s) > 0;
+    }
+    const Sign s_beside_t = sides_.side(of_t, sides_.upper(s));
+    return s_beside_t != 0 ? s_beside_t > 0 : sides_.turn(of_t, of_s) > 0;
+  }
+
+  const ProjectedScene& scene_;
+  VisibleSegments& segments_;
+  const EdgeSides sides_;
+  std::vector<SegmentId> ids_;
+};
+
+// Calls visit(ids) with the segments of one surface after another.
+template <class Visit>
+void for_each_surface(const Mesh& mesh, const VisibleSegments& segments, Visit visit) {
+  std::vector<std::pair<FacetId, SegmentId>> sorted;
+  for (std::size_t s = 0; s < segments.segments.size(); ++s)
+    sorted.emplace_back(surface_of(mesh, segments.segments[s].facet), SegmentId(s));
+  std::ranges::sort(sorted);
+  for (std::size_t begin = 0; begin < sorted.size();) {
+    std::vector<SegmentId> ids;
+    const FacetId surface = sorted[begin].first;
+    for (; begin < sorted.size() && sorted[begin].first == surface; ++begin) ids.push_back(sorted[begin].second);
+    visit(surface, ids);
+  }
+}
+
+std::vector<PointId> start_points(const VisibleSegments& segments, const std::vector<SegmentId>& ids) {
+  std::vector<PointId> points;
+  for (const SegmentId s : ids) points.push_back(segments.segments[s.index()].start);
+  std::ranges::sort(points);
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  return points;
+}
+
+}  // namespace
+
+VisibleSegments reflecting_segments(const Mesh& mesh, const MergedScene& merged, std::vector<SurfacePiece> pieces) {
+  const SweepOrder before(merged.scene, merged.segments);
+  VisibleSegments result;
+  result.crossings = merged.segments.crossings;
+  const auto upper = [&](const NumberedPiece& p) { return before(p.start, p.end) ? p.start : p.end; };
+  std::ranges::stable_sort(
+      pieces, [&](const SurfacePiece& a, const SurfacePiece& b) { return before(upper(a.piece), upper(b.piece)); });
+  for (const auto& [surface, piece] : pieces)
+    result.segments.push_back({piece.start, piece.end, surface, FacetId{}, piece.edge});
+  for_each_surface(mesh, result, [&](FacetId /*surface*/, const std::vector<SegmentId>& ids) {
+    SurfaceBorder(merged.scene, result, ids).add_threads();
+  });
+  std::ranges::stable_sort(result.threads, [&](const Thread& a, const Thread& b) { return before(a.top, b.top); });
+  return result;
+}
+
+void add_splits(VisibleSegments& visible, const Mesh& mesh, const ProjectedScene& scene,
+                const VisibleSegments& reflecting) {
+  const EdgeSides sides(scene, visible);
+  std::vector<std::vector<SegmentId>> visible_of(mesh.facet_count());
+  for (std::size_t s = 0; s < visible.segments.size(); ++s)
+    visible_of[surface_of(mesh, visible.segments[s].facet).index()].emplace_back(s);
+  for_each_surface(mesh, reflecting, [&](FacetId surface, const std::vector<SegmentId>& ids) {
+    for (const PointId p : start_points(reflecting, ids)) {
+      for (const SegmentId s : visible_of[surface.index()]) {
+        const EdgeId e = visible.segments[s.index()].edge;
+        const SweptLine line = sides.line(e);
+        if (!sides.before(line.top, p) || !sides.before(p, line.bottom) || sides.side(line, p) != 0) continue;
+        for (const EdgeSide& side : scene.sides_of(e)) {
+          if (surface_of(mesh, side.facet) == surface) visible.splits.push_back({side.mesh_edge, side.facet, e, p});
+        }
+      }
+    }
+  });
+  std::ranges::sort(visible.splits);
+  visible.splits.erase(std::unique(visible.splits.begin(), visible.splits.end()), visible.splits.end());
+}
+
+}  // namespace sightline

@@ -1,0 +1,28 @@
+// The borders of reflecting polygons as visible segments, ready for reconstruction and labelling.
+//
+// In:  the merged scene, and the numbered pieces of each surface's border.
+// Out: segments in sweep order with the threads from their holes (Fang 5.3), and the places where they split mesh edges.
+// Complexity: O(m log m), and O(m) more per hole, for m pieces.
+#pragma once
+
+#include <span>
+
+#include "geometry/mesh.h"
+#include "reflect/merged_scene.h"
+
+namespace sightline {
+
+struct SurfacePiece {
+  FacetId surface;
+  NumberedPiece piece;
+};
+
+[[nodiscard]] VisibleSegments reflecting_segments(const Mesh& mesh, const MergedScene& merged,
+                                                  std::vector<SurfacePiece> pieces);
+
+// Where ends of these segments lie strictly inside edges of their own surface: what the labelled surface must split for
+// all faces on them. visible: the ids of the surface's visible segments, on whose edges the ends can lie.
+void add_splits(VisibleSegments& visible, const Mesh& mesh, const ProjectedScene& scene,
+                const VisibleSegments& reflecting);
+
+}  // namespace sightline

@@ -1,0 +1,114 @@
+#include "reflect/reflections.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "reflect/reflecting_border.h"
+#include "sweep/image_points.h"
+
+namespace sightline {
+namespace {
+
+struct FoundPiece {
+  FacetId surface;
+  std::size_t panel = 0;
+};
+
+class Reflection {
+ public:
+  Reflection(const MirrorWorld& world, const ProjectedScene& scene, const VisibleSegments& segments,
+             const VisiblePolygons& polygons)
+      : world_(world), scene_(scene), segments_(segments), polygons_(polygons), points_(scene, segments) {}
+
+  ReflectedView run() {
+    for (std::size_t p = 0; p < polygons_.polygons.size(); ++p) {
+      if (!polygons_.polygons[p].below_resolution) add_polygon(p);
+    }
+    MergedScene merged = merge(scene_, segments_, pieces_);
+    ReflectedView view;
+    for (std::size_t panel = 0; panel < world_.panels.size(); ++panel) {
+      PanelReflection& reflection = view.reflections.panels.emplace_back();
+      reflection.segments = reflecting_segments(*world_.surface, merged, pieces_of(panel, merged));
+      reflection.polygons = reconstruct_polygons(*world_.surface, merged.scene, reflection.segments);
+      add_splits(merged.segments, *world_.surface, merged.scene, reflection.segments);
+    }
+    view.reflections.statistics = statistics_;
+    view.scene = std::move(merged.scene);
+    view.segments = std::move(merged.segments);
+    return view;
+  }
+
+ private:
+  // Polygons are sorted by their surface.
+  void add_polygon(std::size_t p) {
+    const FacetId surface = polygons_.polygons[p].facet;
+    if (!mirror_ || surface != mirrored_surface_) {
+      mirror_.emplace(world_, scene_, surface);
+      mirrored_surface_ = surface;
+    }
+    const RegionBorder border = border_of(p);
+    const WindowPart part = part_around(p);
+    for (std::size_t panel = 0; panel < world_.panels.size(); ++panel) {
+      for (BorderPiece& piece : mirror_->reflecting(border, part, panel, statistics_)) {
+        pieces_.push_back(std::move(piece));
+        found_.push_back({surface, panel});
+      }
+    }
+  }
+
+  template <class Visit>
+  void for_each_segment(std::size_t polygon, Visit visit) const {
+    const VisiblePolygon& p = polygons_.polygons[polygon];
+    for (std::size_t r = p.first_ring; r < p.first_ring + p.ring_count; ++r) {
+      for (const SegmentId s : polygons_.ring(r)) visit(segments_.segments[s.index()]);
+    }
+  }
+
+  [[nodiscard]] RegionBorder border_of(std::size_t polygon) const {
+    RegionBorder border;
+    for_each_segment(polygon, [&](const VisibleSegment& s) { border.push_back(border_piece(scene_, segments_, s)); });
+    return border;
+  }
+
+  // Approximate places are off by less than one spacing.
+  [[nodiscard]] WindowPart part_around(std::size_t polygon) const {
+    WindowPart part{1, -1, 1, -1};
+    const auto window = [this](double grid) { return std::ldexp(grid, -scene_.grid_bits); };
+    for_each_segment(polygon, [&](const VisibleSegment& s) {
+      const Point2& p = points_.approximate(s.start);
+      part.left = std::min(part.left, window(std::floor(p.x) - 1));
+      part.right = std::max(part.right, window(std::ceil(p.x) + 1));
+      part.bottom = std::min(part.bottom, window(std::floor(p.y) - 1));
+      part.top = std::max(part.top, window(std::ceil(p.y) + 1));
+    });
+    return part;
+  }
+
+  [[nodiscard]] std::vector<SurfacePiece> pieces_of(std::size_t panel, const MergedScene& merged) const {
+    std::vector<SurfacePiece> result;
+    for (std::size_t i = 0; i < found_.size(); ++i) {
+      if (found_[i].panel == panel) result.push_back({found_[i].surface, merged.pieces[i]});
+    }
+    return result;
+  }
+
+  const MirrorWorld& world_;
+  const ProjectedScene& scene_;
+  const VisibleSegments& segments_;
+  const VisiblePolygons& polygons_;
+  const ImagePoints points_;
+  std::optional<Mirror> mirror_;
+  FacetId mirrored_surface_;
+  RegionBorder pieces_;
+  std::vector<FoundPiece> found_;  // parallel to pieces_
+  ReflectionStatistics statistics_;
+};
+
+}  // namespace
+
+ReflectedView reflect(const MirrorWorld& world, const ProjectedScene& scene, const VisibleSegments& segments,
+                      const VisiblePolygons& polygons) {
+  return Reflection(world, scene, segments, polygons).run();
+}
+
+}  // namespace sightline

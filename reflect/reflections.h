@@ -1,0 +1,38 @@
+// Reflections: which part of what the camera sees mirrors which panel into it.
+//
+// In:  a view: projected scene, visible segments and polygons; the panels and what may be in their way (MirrorWorld).
+// Out: per panel its reflecting polygons, and the view's scene and segments with the points and lines that these need
+//      (merged_scene.h); the ids of facets, segments and polygons stay what they were.
+// Holds: a reflecting polygon lies in a visible polygon of its face, and shares its points where it runs along its
+//      border; what splits a mesh edge is among the segments' splits, so that the labelled surface stays conforming.
+//      Polygons of different panels overlap only where these lie in one plane, on each other.
+// Complexity: O(log n) per visible polygon and panel, where the pyramid misses the panel; else that of mirror.h.
+// Source: Koucky 2014, 3.9; see mirror.h for the departures.
+#pragma once
+
+#include <vector>
+
+#include "reflect/mirror.h"
+
+namespace sightline {
+
+struct PanelReflection {
+  VisibleSegments segments;  // the borders of the reflecting polygons; their points are the merged scene's
+  VisiblePolygons polygons;
+};
+
+struct Reflections {
+  std::vector<PanelReflection> panels;  // parallel to the world's
+  ReflectionStatistics statistics;
+};
+
+struct ReflectedView {
+  ProjectedScene scene;
+  VisibleSegments segments;
+  Reflections reflections;
+};
+
+[[nodiscard]] ReflectedView reflect(const MirrorWorld& world, const ProjectedScene& scene,
+                                    const VisibleSegments& segments, const VisiblePolygons& polygons);
+
+}  // namespace sightline

@@ -1,0 +1,164 @@
+// Exact reflections against a million rays per scene.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <random>
+
+#include "sightline/analyze.h"
+#include "sweep/image_points.h"
+#include "tests/oracle/judge.h"
+#include "tests/oracle/mirror_rays.h"
+
+namespace sightline::oracle {
+namespace {
+
+struct MirrorScene {
+  Mesh mesh;
+  std::vector<Panel> panels;
+  Camera camera;
+};
+
+// Ten triangles and a floor, among and above them two panels; corners are multiples of 1/16, so that they touch at times.
+MirrorScene random_mirror_scene(std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  const auto between = [&](double low, double high) {
+    return std::round(16 * (low + (high - low) * std::ldexp(static_cast<double>(random() >> 11U), -53))) / 16;
+  };
+  const auto near = [&](const Point3& centre, double reach) {
+    return centre + Vector3{between(-reach, reach), between(-reach, reach), between(-reach, reach)};
+  };
+  std::vector<Point3> vertices{{-3, -3, 0}, {3, -3, 0}, {3, 3, 0}, {-3, 3, 0}};
+  PolygonList faces;
+  faces.push_back(std::array{VertexId(0), VertexId(1), VertexId(2), VertexId(3)});
+  for (int i = 0; i < 10; ++i) {
+    const Point3 centre{between(-2, 2), between(-2, 2), between(0, 2)};
+    std::array<VertexId, 3> corners;
+    for (VertexId& corner : corners) {
+      corner = VertexId(vertices.size());
+      vertices.push_back(near(centre, 1));
+    }
+    faces.push_back(corners);
+  }
+  std::vector<Panel> panels;
+  for (const Emits emits : {Emits::both, Emits::front}) {
+    const Point3 corner{between(-2, 1), between(-2, 1), between(1, 3)};
+    const Vector3 u{between(1, 2), between(-1, 1), between(-1, 1)};
+    const Vector3 v{between(-1, 1), between(1, 2), between(-1, 1)};
+    panels.push_back({"panel", {corner, corner + u, corner + u + v, corner + v}, emits});
+  }
+  const ViewPoint view{{between(-2, 2), between(-5, -4), between(2, 4)}, {0, 0, 0.5}, {0, 0, 1}, 1, {}, {}};
+  return {build_mesh(std::move(vertices), std::move(faces)), panels, perspective_camera("random", view, 50)};
+}
+
+// A panel's reflecting region in floating point.
+class Region {
+ public:
+  Region(const View& view, std::size_t panel) {
+    const VisibleSegments& segments = view.reflections.panels[panel].segments;
+    const ImagePoints points(view.scene, segments);
+    for (const VisibleSegment& s : segments.segments)
+      borders_.push_back({points.in_window(s.start), points.in_window(s.end)});
+  }
+
+  // How often the border winds around the place; nothing where that is within 1e-9 of it.
+  [[nodiscard]] std::optional<int> winding(const Point2& p) const {
+    int winding = 0;
+    for (const auto& [a, b] : borders_) {
+      if (is_near(a, b, p)) return std::nullopt;
+      const double side = (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
+      if (a.y <= p.y && b.y > p.y && side > 0) ++winding;
+      if (b.y <= p.y && a.y > p.y && side < 0) --winding;
+    }
+    return winding;
+  }
+
+ private:
+  struct Border {
+    Point2 a;
+    Point2 b;
+  };
+
+  static bool is_near(const Point2& a, const Point2& b, const Point2& p) {
+    constexpr double near = 1e-9;
+    if (p.x < std::min(a.x, b.x) - near || p.x > std::max(a.x, b.x) + near) return false;
+    if (p.y < std::min(a.y, b.y) - near || p.y > std::max(a.y, b.y) + near) return false;
+    const double side = (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
+    return std::fabs(side) <= near * std::hypot(b.x - a.x, b.y - a.y);
+  }
+
+  std::vector<Border> borders_;
+};
+
+double area(const View& view, std::size_t panel) {
+  double sum = 0;
+  for (const VisiblePolygon& polygon : view.reflections.panels[panel].polygons.polygons) sum += polygon.area;
+  return sum;
+}
+
+struct Tally {
+  std::uint64_t rays = 0;
+  std::array<std::uint64_t, 2> seen{};
+  std::uint64_t near_border = 0;
+  std::uint64_t wrong = 0;
+};
+
+Tally compare(const MirrorScene& scene, const View& view, std::uint64_t rays, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  const auto coordinate = [&] { return std::ldexp(static_cast<double>(random() >> 11U), -52) - 1; };
+  const MirrorRays oracle(scene.mesh, scene.panels, scene.camera);
+  const std::array regions{Region(view, 0), Region(view, 1)};
+  Tally tally;
+  for (; tally.rays < rays; ++tally.rays) {
+    const Point2 p{coordinate(), coordinate()};
+    const int panel = oracle.panel_at(p.x, p.y);
+    if (panel >= 0) ++tally.seen[static_cast<std::size_t>(panel)];
+    for (int i = 0; i < 2; ++i) {
+      const auto winding = regions[static_cast<std::size_t>(i)].winding(p);
+      if (!winding) {
+        ++tally.near_border;
+      } else if ((*winding > 0) != (panel == i)) {
+        ++tally.wrong;
+      }
+    }
+  }
+  return tally;
+}
+
+}  // namespace
+
+TEST_CASE("a million rays per scene meet the panels where the exact reflection says so") {
+  constexpr std::uint64_t first_seed = 1;
+  const std::uint64_t scenes = scene_count(20);
+  const std::uint64_t rays = scene_count(20) < 20 ? 10000 : 1000000;
+  std::uint64_t reflecting = 0;
+  std::uint64_t blocked = 0;
+  std::uint64_t passing_through = 0;
+  for (std::uint64_t seed = first_seed; seed < first_seed + scenes; ++seed) {
+    CAPTURE(seed);
+    const MirrorScene scene = random_mirror_scene(seed);
+    const Mesh mesh = cut(scene.mesh);
+    const MirrorWorld world = make_mirror_world(mesh, scene.panels);
+    const View view = analyze(world, scene.camera);
+    CHECK(joined(complaints_of_stages(mesh, view)) == "");
+    const Tally tally = compare(scene, view, rays, seed);
+    CHECK(tally.wrong == 0);
+    CHECK(tally.near_border * 10000 <= tally.rays);
+    for (std::size_t p = 0; p < 2; ++p) {
+      const double share = area(view, p) / 4;
+      const double deviation = std::sqrt(share * (1 - share) / static_cast<double>(tally.rays));
+      CHECK(std::fabs(static_cast<double>(tally.seen[p]) / static_cast<double>(tally.rays) - share) <=
+            4 * deviation + 1e-12);
+      reflecting += share > 0.001 ? 1 : 0;
+    }
+    blocked += view.reflections.statistics.blocked;
+    passing_through += mesh.is_cut() ? 1 : 0;
+  }
+  MESSAGE(scenes << " scenes, " << reflecting << " panels seen in mirrors, " << blocked << " pyramids with shadows, "
+                 << passing_through << " scenes with faces that pass through each other");
+  // The generator made the hard cases.
+  CHECK(reflecting >= scenes);
+  CHECK(blocked >= scenes);
+  CHECK(2 * passing_through >= scenes);
+}
+
+}  // namespace sightline::oracle

@@ -1,0 +1,46 @@
+// Reflections by rays, in plain floating point: the oracle of reflect/, with which it shares no code.
+//
+// In:  faces, panels and a pinhole camera. Out: which panel a ray through a place of the window meets after it was
+//      mirrored once, if any; -1: none.
+// Method: brute force. The ray's first hit on a face, the law of reflection at the face's plane, and of the mirrored ray
+//      the first hit on another face or a panel.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "geometry/camera.h"
+#include "geometry/mesh.h"
+#include "reflect/panel.h"
+
+namespace sightline::oracle {
+
+class MirrorRays {
+ public:
+  MirrorRays(const Mesh& mesh, const std::vector<Panel>& panels, const Camera& camera);
+
+  // x, y: in the window [-1, 1]^2.
+  [[nodiscard]] int panel_at(double x, double y) const;
+
+ private:
+  struct Target {
+    std::array<Point3, 3> corners;
+    Vector3 normal;
+    std::size_t owner = 0;  // the face, or the panel
+    bool front_only = false;
+  };
+  struct Hit {
+    double distance = 0;
+    const Target* target = nullptr;
+  };
+
+  void add(std::vector<Target>& targets, const Mesh& mesh, std::size_t owner, bool front_only) const;
+  [[nodiscard]] static Hit first_hit(const std::vector<Target>& targets, const Point3& origin, const Vector3& direction,
+                                     const Target* from);
+
+  Camera camera_;
+  std::vector<Target> faces_;
+  std::vector<Target> panels_;
+};
+
+}  // namespace sightline::oracle
