@@ -41,6 +41,22 @@ std::string camera_line(const Report& report) {
                      report["times_s"]["total"].get<double>());
 }
 
+// What each panel is worth to each camera: on the surface, and of what the camera sees of it.
+std::string panel_lines(const std::vector<Report>& reports) {
+  if (reports.front()["reflections"]["panels"].empty()) return "";
+  std::string text =
+      fmt::format("\n{:16} {:16} {:>16} {:>16}\n", "camera", "panel", "area reflecting", "of the visible");
+  for (const Report& report : reports) {
+    const double visible = report["areas"]["visible"].get<double>();
+    for (const Report& panel : report["reflections"]["panels"]) {
+      const double area = panel["area"].get<double>();
+      text += fmt::format("{:16} {:16} {:>16.6g} {:>14.2f} %\n", shortened(report["camera"]["name"].get<std::string>()),
+                          shortened(panel["name"].get<std::string>()), area, visible > 0 ? 100 * area / visible : 0.0);
+    }
+  }
+  return text;
+}
+
 std::string warnings_line(const std::vector<Report>& reports) {
   std::size_t count = 0;
   for (const Report& report : reports) count += report["warnings"].size();
@@ -53,6 +69,7 @@ std::string warnings_line(const std::vector<Report>& reports) {
 std::string summary(const std::vector<Report>& reports, const std::string& output) {
   std::string text = scene_line(reports.front()) + table_head();
   for (const Report& report : reports) text += camera_line(report);
+  text += panel_lines(reports);
   text += warnings_line(reports);
   const std::string first = reports.front()["camera"]["name"].get<std::string>();
   text += fmt::format("\nOne folder per camera in {}\n", output);
