@@ -45,9 +45,9 @@ struct LabelledTriangle {
   std::uint64_t reflecting = 0;  // bit p: it mirrors panel p into the camera
 };
 
-// Per panel, the borders of what reflects it (reflect/reflections.h): directed pieces within visible polygons, each on
-// a surface that its `facet` names. At most 64 panels.
-using PanelBorders = std::vector<std::span<const VisibleSegment>>;
+// Per panel, the borders of what reflects it, above resolution (reflect/reflections.h): directed pieces within visible
+// polygons, each on a surface that its `facet` names. Pieces meet in end points only. At most 64 panels.
+using PanelBorders = std::vector<std::vector<VisibleSegment>>;
 constexpr std::size_t most_panels = 64;
 
 struct LabelledMesh {

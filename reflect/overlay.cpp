@@ -42,6 +42,44 @@ Windings windings_beside(const RegionBorder& border, const BorderPiece& piece) {
   return windings;
 }
 
+std::vector<Divided> divided(const RegionBorder& border) {
+  std::vector<Divided> result;
+  for (const BorderPiece& piece : border) result.push_back({piece, {}});
+  return result;
+}
+
+void divide(Divided& s, Divided& t) {
+  if (before(lower(s.piece), upper(t.piece)) || before(lower(t.piece), upper(s.piece))) return;
+  const Sign s_start = side(t.piece.line, s.piece.start);
+  const Sign s_end = side(t.piece.line, s.piece.end);
+  const Sign t_start = side(s.piece.line, t.piece.start);
+  const Sign t_end = side(s.piece.line, t.piece.end);
+  if (s_start * s_end < 0 && t_start * t_end < 0) {
+    const ImagePlace place = crossing_place(s.piece.line, t.piece.line);
+    s.places.push_back(place);
+    t.places.push_back(place);
+    return;
+  }
+  if (s_start == 0) t.add_if_inside(s.piece.start);
+  if (s_end == 0) t.add_if_inside(s.piece.end);
+  if (t_start == 0) s.add_if_inside(t.piece.start);
+  if (t_end == 0) s.add_if_inside(t.piece.end);
+}
+
+template <class Visit>
+void for_each_part(Divided& divided, Visit visit) {
+  std::ranges::sort(divided.places, before);
+  if (!runs_down(divided.piece)) std::ranges::reverse(divided.places);
+  divided.places.push_back(divided.piece.end);
+  BorderPiece part{divided.piece.start, divided.piece.start, divided.piece.line};
+  for (const ImagePlace& p : divided.places) {
+    if (sweep_compare(part.start, p) == 0) continue;
+    part.end = p;
+    visit(part);
+    part.start = p;
+  }
+}
+
 class Overlay {
  public:
   Overlay(const RegionBorder& first, const RegionBorder& second) : first_(first), second_(second) {}
@@ -60,44 +98,6 @@ class Overlay {
   }
 
  private:
-  static std::vector<Divided> divided(const RegionBorder& border) {
-    std::vector<Divided> result;
-    for (const BorderPiece& piece : border) result.push_back({piece, {}});
-    return result;
-  }
-
-  static void divide(Divided& s, Divided& t) {
-    if (before(lower(s.piece), upper(t.piece)) || before(lower(t.piece), upper(s.piece))) return;
-    const Sign s_start = side(t.piece.line, s.piece.start);
-    const Sign s_end = side(t.piece.line, s.piece.end);
-    const Sign t_start = side(s.piece.line, t.piece.start);
-    const Sign t_end = side(s.piece.line, t.piece.end);
-    if (s_start * s_end < 0 && t_start * t_end < 0) {
-      const ImagePlace place = crossing_place(s.piece.line, t.piece.line);
-      s.places.push_back(place);
-      t.places.push_back(place);
-      return;
-    }
-    if (s_start == 0) t.add_if_inside(s.piece.start);
-    if (s_end == 0) t.add_if_inside(s.piece.end);
-    if (t_start == 0) s.add_if_inside(t.piece.start);
-    if (t_end == 0) s.add_if_inside(t.piece.end);
-  }
-
-  template <class Visit>
-  static void for_each_part(Divided& divided, Visit visit) {
-    std::ranges::sort(divided.places, before);
-    if (!runs_down(divided.piece)) std::ranges::reverse(divided.places);
-    divided.places.push_back(divided.piece.end);
-    BorderPiece part{divided.piece.start, divided.piece.start, divided.piece.line};
-    for (const ImagePlace& p : divided.places) {
-      if (sweep_compare(part.start, p) == 0) continue;
-      part.end = p;
-      visit(part);
-      part.start = p;
-    }
-  }
-
   void add_of_first(const BorderPiece& part) {
     const Windings of_second = windings_beside(second_, part);
     if ((runs_down(part) ? of_second.right : of_second.left) > 0) result_.push_back(part);
@@ -131,6 +131,23 @@ class Overlay {
 };
 
 }  // namespace
+
+std::vector<RegionBorder> divided_at_meetings(std::vector<RegionBorder> borders) {
+  std::vector<std::vector<Divided>> all;
+  for (const RegionBorder& border : borders) all.push_back(divided(border));
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      for (Divided& s : all[i]) {
+        for (Divided& t : all[j]) divide(s, t);
+      }
+    }
+  }
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    borders[i].clear();
+    for (Divided& s : all[i]) for_each_part(s, [&](const BorderPiece& part) { borders[i].push_back(part); });
+  }
+  return borders;
+}
 
 RegionBorder common_part(const RegionBorder& first, const RegionBorder& second) { return Overlay(first, second).run(); }
 

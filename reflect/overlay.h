@@ -23,4 +23,8 @@ using RegionBorder = std::vector<BorderPiece>;
 
 [[nodiscard]] RegionBorder common_part(const RegionBorder& first, const RegionBorder& second);
 
+// Borders whose pieces meet those of their own border in end points only, divided so that they meet each other's in end
+// points only, or lie on each other from end to end. O(n^2) for n pieces.
+[[nodiscard]] std::vector<RegionBorder> divided_at_meetings(std::vector<RegionBorder> borders);
+
 }  // namespace sightline

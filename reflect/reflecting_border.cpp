@@ -97,26 +97,27 @@ VisibleSegments reflecting_segments(const Mesh& mesh, const MergedScene& merged,
   return result;
 }
 
-void add_splits(VisibleSegments& visible, const Mesh& mesh, const ProjectedScene& scene,
-                const VisibleSegments& reflecting) {
+void find_splits(VisibleSegments& reflecting, const Mesh& mesh, const ProjectedScene& scene,
+                 const VisibleSegments& visible) {
   const EdgeSides sides(scene, visible);
-  std::vector<std::vector<SegmentId>> visible_of(mesh.facet_count());
-  for (std::size_t s = 0; s < visible.segments.size(); ++s)
-    visible_of[surface_of(mesh, visible.segments[s].facet).index()].emplace_back(s);
+  std::vector<std::vector<EdgeId>> edges_of(mesh.facet_count());
+  for (const VisibleSegment& s : visible.segments) edges_of[surface_of(mesh, s.facet).index()].push_back(s.edge);
   for_each_surface(mesh, reflecting, [&](FacetId surface, const std::vector<SegmentId>& ids) {
+    auto& edges = edges_of[surface.index()];
+    std::ranges::sort(edges);
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
     for (const PointId p : start_points(reflecting, ids)) {
-      for (const SegmentId s : visible_of[surface.index()]) {
-        const EdgeId e = visible.segments[s.index()].edge;
+      for (const EdgeId e : edges) {
         const SweptLine line = sides.line(e);
         if (!sides.before(line.top, p) || !sides.before(p, line.bottom) || sides.side(line, p) != 0) continue;
         for (const EdgeSide& side : scene.sides_of(e)) {
-          if (surface_of(mesh, side.facet) == surface) visible.splits.push_back({side.mesh_edge, side.facet, e, p});
+          if (surface_of(mesh, side.facet) == surface) reflecting.splits.push_back({side.mesh_edge, side.facet, e, p});
         }
       }
     }
   });
-  std::ranges::sort(visible.splits);
-  visible.splits.erase(std::unique(visible.splits.begin(), visible.splits.end()), visible.splits.end());
+  std::ranges::sort(reflecting.splits);
+  reflecting.splits.erase(std::unique(reflecting.splits.begin(), reflecting.splits.end()), reflecting.splits.end());
 }
 
 }  // namespace sightline

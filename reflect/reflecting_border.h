@@ -20,9 +20,10 @@ struct SurfacePiece {
 [[nodiscard]] VisibleSegments reflecting_segments(const Mesh& mesh, const MergedScene& merged,
                                                   std::vector<SurfacePiece> pieces);
 
-// Where ends of these segments lie strictly inside edges of their own surface: what the labelled surface must split for
-// all faces on them. visible: the ids of the surface's visible segments, on whose edges the ends can lie.
-void add_splits(VisibleSegments& visible, const Mesh& mesh, const ProjectedScene& scene,
-                const VisibleSegments& reflecting);
+// Gives the reflecting segments their splits: where their ends lie strictly inside edges of their own surface, which the
+// labelled surface must split for all faces on them. visible: the view's visible segments, on whose edges these ends can
+// lie.
+void find_splits(VisibleSegments& reflecting, const Mesh& mesh, const ProjectedScene& scene,
+                 const VisibleSegments& visible);
 
 }  // namespace sightline

@@ -14,6 +14,13 @@ struct FoundPiece {
   std::size_t panel = 0;
 };
 
+void add_splits(VisibleSegments& segments, const VisibleSegments& reflecting) {
+  auto& splits = segments.splits;
+  splits.insert(splits.end(), reflecting.splits.begin(), reflecting.splits.end());
+  std::ranges::sort(splits);
+  splits.erase(std::unique(splits.begin(), splits.end()), splits.end());
+}
+
 class Reflection {
  public:
   Reflection(const MirrorWorld& world, const ProjectedScene& scene, const VisibleSegments& segments,
@@ -30,8 +37,9 @@ class Reflection {
       PanelReflection& reflection = view.reflections.panels.emplace_back();
       reflection.segments = reflecting_segments(*world_.surface, merged, pieces_of(panel, merged));
       reflection.polygons = reconstruct_polygons(*world_.surface, merged.scene, reflection.segments);
-      add_splits(merged.segments, *world_.surface, merged.scene, reflection.segments);
+      find_splits(reflection.segments, *world_.surface, merged.scene, merged.segments);
     }
+    for (const PanelReflection& reflection : view.reflections.panels) add_splits(merged.segments, reflection.segments);
     view.reflections.statistics = statistics_;
     view.scene = std::move(merged.scene);
     view.segments = std::move(merged.segments);
@@ -48,8 +56,12 @@ class Reflection {
     }
     const RegionBorder border = border_of(p);
     const WindowPart part = part_around(p);
-    for (std::size_t panel = 0; panel < world_.panels.size(); ++panel) {
-      for (BorderPiece& piece : mirror_->reflecting(border, part, panel, statistics_)) {
+    std::vector<RegionBorder> found;
+    for (std::size_t panel = 0; panel < world_.panels.size(); ++panel)
+      found.push_back(mirror_->reflecting(border, part, panel, statistics_));
+    found = divided_at_meetings(std::move(found));
+    for (std::size_t panel = 0; panel < found.size(); ++panel) {
+      for (BorderPiece& piece : found[panel]) {
         pieces_.push_back(std::move(piece));
         found_.push_back({surface, panel});
       }
@@ -104,7 +116,24 @@ class Reflection {
   ReflectionStatistics statistics_;
 };
 
+std::vector<VisibleSegment> border_above_resolution(const PanelReflection& panel) {
+  std::vector<VisibleSegment> border;
+  for (const VisiblePolygon& p : panel.polygons.polygons) {
+    if (p.below_resolution) continue;
+    for (std::size_t r = p.first_ring; r < p.first_ring + p.ring_count; ++r) {
+      for (const SegmentId s : panel.polygons.ring(r)) border.push_back(panel.segments.segments[s.index()]);
+    }
+  }
+  return border;
+}
+
 }  // namespace
+
+PanelBorders panel_borders(const Reflections& reflections) {
+  PanelBorders borders;
+  for (const PanelReflection& panel : reflections.panels) borders.push_back(border_above_resolution(panel));
+  return borders;
+}
 
 ReflectedView reflect(const MirrorWorld& world, const ProjectedScene& scene, const VisibleSegments& segments,
                       const VisiblePolygons& polygons) {

@@ -12,6 +12,7 @@
 
 #include <vector>
 
+#include "reconstruct/labelled_mesh.h"
 #include "reflect/mirror.h"
 
 namespace sightline {
@@ -34,5 +35,8 @@ struct ReflectedView {
 
 [[nodiscard]] ReflectedView reflect(const MirrorWorld& world, const ProjectedScene& scene,
                                     const VisibleSegments& segments, const VisiblePolygons& polygons);
+
+// Of the reflecting polygons above resolution: what label_mesh wants to know.
+[[nodiscard]] PanelBorders panel_borders(const Reflections& reflections);
 
 }  // namespace sightline

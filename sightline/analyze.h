@@ -23,12 +23,6 @@ struct View {
   Reflections reflections;
 };
 
-[[nodiscard]] inline PanelBorders panel_borders(const Reflections& reflections) {
-  PanelBorders borders;
-  for (const PanelReflection& panel : reflections.panels) borders.emplace_back(panel.segments.segments);
-  return borders;
-}
-
 // The mesh's facets do not pass through each other: cut_along_common_lines sees to that.
 [[nodiscard]] inline View analyze(const Mesh& mesh, const Camera& camera, Sides sides = Sides::both,
                                   SweepObserver* observer = nullptr, const Precision& precision = {}) {
