@@ -14,6 +14,7 @@
 #include "cli/toml_reader.h"
 #include "cli/toml_text.h"
 #include "geometry/errors.h"
+#include "geometry/printable.h"
 #include "reconstruct/labelled_mesh.h"
 
 namespace sightline {
@@ -21,13 +22,14 @@ namespace sightline {
 namespace {
 
 constexpr std::size_t longest_file = std::size_t{64} << 20;
+constexpr std::size_t longest_description = 300;  // of what is wrong with a TOML text
 
 toml::table parsed(std::string_view text, const std::string& path) {
   check_toml_text(text, path);
   try {
     return toml::parse(text, path);
   } catch (const toml::parse_error& error) {
-    throw InputError(path, error.source().begin.line, fmt::format("not valid TOML: {}", error.description()));
+    throw InputError(path, error.source().begin.line, fmt::format("not valid TOML: {}", printable(error.description(), longest_description)));
   }
 }
 

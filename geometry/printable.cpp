@@ -2,9 +2,8 @@
 
 namespace sightline {
 
-std::string printable(std::string_view text) {
+std::string printable(std::string_view text, std::size_t most) {
   constexpr std::string_view digits = "0123456789abcdef";
-  constexpr std::size_t most = 40;
   std::string result;
   for (const char c : text.substr(0, most)) {
     const auto byte = static_cast<unsigned char>(c);

@@ -6,7 +6,7 @@
 
 namespace sightline {
 
-// The first 40 bytes, and three dots if there are more; what is not printable ASCII as \xNN.
-[[nodiscard]] std::string printable(std::string_view text);
+// The first `most` bytes, and three dots if there are more; what is not printable ASCII as \xNN.
+[[nodiscard]] std::string printable(std::string_view text, std::size_t most = 40);
 
 }  // namespace sightline

@@ -137,7 +137,7 @@ PanelBorders panel_borders(const Reflections& reflections) {
 
 ReflectedView reflect(const MirrorWorld& world, const ProjectedScene& scene, const VisibleSegments& segments,
                       const VisiblePolygons& polygons) {
-  return Reflection(world, scene, segments, polygons).run();
+  return with_invariants_of(scene.arithmetic, [&] { return Reflection(world, scene, segments, polygons).run(); });
 }
 
 }  // namespace sightline

@@ -7,6 +7,7 @@
 //      border; what splits a mesh edge is among the segments' splits, so that the labelled surface stays conforming.
 //      Polygons of different panels overlap only where these lie in one plane, on each other.
 // Complexity: O(log n) per visible polygon and panel, where the pyramid misses the panel; else that of mirror.h.
+// Errors: InternalError; in float and double ArithmeticError instead.
 // Source: Koucky 2014, 3.9; see mirror.h for the departures.
 #pragma once
 

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,7 @@ void check_refused(const WrongScene& wrong) {
     const std::string what = error.what();
     INFO(what);
     CHECK(error.line() == wrong.line);
+    CHECK(std::ranges::none_of(what, [](char c) { return static_cast<unsigned char>(c) < 0x20; }));
     CHECK(what.find(wrong.says) != std::string::npos);
     CHECK(what.rfind(wrong.line == 0 ? "dir/scene.toml: " : "dir/scene.toml:" + std::to_string(wrong.line) + ": ", 0) ==
           0);
@@ -109,6 +111,7 @@ TEST_CASE("what is wrong in a scene file is named with key and line") {
   const std::string twice = good + pinhole;
   const std::vector<WrongScene> scenes = {
       {"[mesh", 1, "not valid TOML"},
+      {mesh_part + "a = [2, f\n]\n", 3, "not valid TOML: "},
       {mesh_part + "[[{ a = 1", 3, "not valid TOML: a table's name must follow '['"},
       {mesh_part + "[ ]\n", 3, "not valid TOML: a table's name must follow '['"},
       {mesh_part + "a = [\n[1],\n[ ]]\n[\n", 6, "not valid TOML: a table's name must follow '['"},
