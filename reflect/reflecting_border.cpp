@@ -13,8 +13,9 @@ namespace {
 // The segments of one surface, and the nearest of them left of a point.
 class SurfaceBorder {
  public:
-  SurfaceBorder(const ProjectedScene& scene, VisibleSegments& segments, std::vector<SegmentId> ids)
-      : scene_(scene), segments_(segments), sides_(scene, segments), ids_(std::move(ids)) {}
+  SurfaceBorder(const ProjectedScene& scene, VisibleSegments& segments, const EdgeSides& sides,
+                const std::vector<SegmentId>& ids)
+      : scene_(scene), segments_(segments), sides_(sides), ids_(ids) {}
 
   void add_threads() {
     for (const Walk& walk : link_rings(scene_, segments_, ids_)) {
@@ -52,8 +53,8 @@ class SurfaceBorder {
 
   const ProjectedScene& scene_;
   VisibleSegments& segments_;
-  const EdgeSides sides_;
-  std::vector<SegmentId> ids_;
+  const EdgeSides& sides_;
+  const std::vector<SegmentId>& ids_;
 };
 
 // Calls visit(ids) with the segments of one surface after another.
@@ -90,8 +91,9 @@ VisibleSegments reflecting_segments(const Mesh& mesh, const MergedScene& merged,
       pieces, [&](const SurfacePiece& a, const SurfacePiece& b) { return before(upper(a.piece), upper(b.piece)); });
   for (const auto& [surface, piece] : pieces)
     result.segments.push_back({piece.start, piece.end, surface, FacetId{}, piece.edge});
+  const EdgeSides sides(merged.scene, result);
   for_each_surface(mesh, result, [&](FacetId /*surface*/, const std::vector<SegmentId>& ids) {
-    SurfaceBorder(merged.scene, result, ids).add_threads();
+    SurfaceBorder(merged.scene, result, sides, ids).add_threads();
   });
   std::ranges::stable_sort(result.threads, [&](const Thread& a, const Thread& b) { return before(a.top, b.top); });
   return result;
