@@ -210,9 +210,13 @@ class Labeller {
   }
 
   [[nodiscard]] std::span<const ReflectingSegment> reflecting_on(FacetId surface) const {
-    const auto found =
-        std::ranges::equal_range(reflecting_, surface, {}, [](const ReflectingSegment& r) { return r.segment.facet; });
-    return {found.begin(), found.end()};
+    const auto by_surface = [](const ReflectingSegment& a, const ReflectingSegment& b) {
+      return a.segment.facet < b.segment.facet;
+    };
+    ReflectingSegment wanted;
+    wanted.segment.facet = surface;
+    const auto [first, last] = std::equal_range(reflecting_.begin(), reflecting_.end(), wanted, by_surface);
+    return {first, last};
   }
 
   [[nodiscard]] std::span<const EdgeSplit> border_splits_of(FacetId f) const {
