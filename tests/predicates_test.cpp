@@ -184,6 +184,31 @@ TEST_CASE("in_circle: a filter that answers is right where squares underflow bes
   CHECK(answered < rounds);
 }
 
+TEST_CASE("orient3d: products that underflow beside a huge difference") {
+  // The determinant is 2^1000 2^-537 2^-538 - 2^58 2^400 2^-538 = 2^-75 - 2^-80, and the first product of two underflows.
+  const Point3 origin{0, 0, 0};
+  const Point3 b{std::ldexp(1.0, 1000), std::ldexp(1.0, 58), 0};
+  const Point3 c{std::ldexp(1.0, 400), std::ldexp(1.0, -537), 0};
+  const Point3 d{0, 0, std::ldexp(1.0, -538)};
+  CHECK(predicates::filter::orient3d(origin, b, c, {d, 1}).value_or(1) == 1);
+  CHECK(orient3d(origin, b, c, d) == 1);
+}
+
+// Plain evaluation calls a hundredth of these wrong (Kettner et al., Classroom examples of robustness problems, 2008).
+TEST_CASE("orient2d: points in a last bit's distance of the line through two far points") {
+  int wrong_without_bound = 0;
+  for (int i = 0; i < 256; ++i) {
+    for (int j = 0; j < 256; ++j) {
+      const Point2 p{0.5 + i * 0x1p-53, 0.5 + j * 0x1p-53};
+      const double difference = (12 - p.x) * (24 - p.y) - (12 - p.y) * (24 - p.x);
+      const Sign expected = sign_of(p.y - p.x);
+      wrong_without_bound += difference != 0 && sign_of(difference) != expected ? 1 : 0;
+      CHECK(orient2d(p, {12, 12}, {24, 24}) == expected);
+    }
+  }
+  CHECK(wrong_without_bound > 100);
+}
+
 TEST_CASE("a dyadic number is its double, with an odd mantissa") {
   for (const double value : {1.0, -3.0, 0.1, 0x1p-1074, -0x1.fffffffffffffp1023, 0x1p52, 12.0}) {
     const Dyadic d = dyadic(value);
