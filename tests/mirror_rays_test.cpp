@@ -124,7 +124,72 @@ Tally compare(const MirrorScene& scene, const View& view, std::uint64_t rays, st
   return tally;
 }
 
+double scalar(const Vector3& a, const Vector3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+
+// Where the ray from the eye, mirrored at a triangle's middle, meets a panel's plane.
+Point3 place_on_panel(const Point3& eye, const Point3& middle, const Vector3& normal, const Panel& panel) {
+  const Vector3 direction = middle - eye;
+  const Vector3 mirrored = direction - (2 * scalar(direction, normal) / scalar(normal, normal)) * normal;
+  const Vector3 of_panel = cross(panel.corners[1] - panel.corners[0], panel.corners[2] - panel.corners[0]);
+  return middle + (scalar(panel.corners[0] - middle, of_panel) / scalar(mirrored, of_panel)) * mirrored;
+}
+
+// A small square around a place, across the direction.
+Panel small_panel(const Point3& place, const Vector3& direction) {
+  constexpr double half = 1.0 / 1024;
+  const Vector3 beside =
+      cross(direction, std::fabs(direction.x) < std::fabs(direction.z) ? Vector3{1, 0, 0} : Vector3{0, 0, 1});
+  const Vector3 u = (half / norm(beside)) * beside;
+  const Vector3 up = cross(beside, direction);
+  const Vector3 v = (half / norm(up)) * up;
+  // Rounding to multiples of 2^-20 keeps its corners in one plane: three of them and their parallelogram.
+  const auto rounded = [](const Vector3& w) {
+    const auto to_grid = [](double x) { return std::round(x * 0x1p20) * 0x1p-20; };
+    return Vector3{to_grid(w.x), to_grid(w.y), to_grid(w.z)};
+  };
+  const Point3 corner = rounded(place - u - v);
+  const Vector3 along_u = rounded(2 * u);
+  const Vector3 along_v = rounded(2 * v);
+  return {"eye", {corner, corner + along_u, corner + along_u + along_v, corner + along_v}, Emits::both};
+}
+
+// Whether a camera on the panel, looking at the middle of the triangle, sees there the place where the first eye was.
+bool sees_back(const Mesh& mesh, const MirrorScene& scene, const LabelledMesh& labelled, const LabelledTriangle& t,
+               std::size_t panel) {
+  const auto corner = [&](std::size_t i) { return labelled.vertices[t.corners[i].index()]; };
+  const Point3 middle = (1.0 / 3) * (corner(0) + corner(1) + corner(2));
+  const Vector3 normal = cross(corner(1) - corner(0), corner(2) - corner(0));
+  const Point3 place = place_on_panel(scene.camera.origin, middle, normal, scene.panels[panel]);
+  const ViewPoint view{place, middle, {0.3, 0.2, 1}, 1, {}, {}};
+  const Panel eye = small_panel(scene.camera.origin, middle - scene.camera.origin);
+  const View back = analyze(make_mirror_world(mesh, {eye}), perspective_camera("back", view, 20));
+  return Region(back, 0).winding({0, 0}).value_or(0) > 0;
+}
+
 }  // namespace
+
+TEST_CASE(
+    "light goes the same way back: a camera on the panel sees the first camera's place where that saw the panel") {
+  const std::uint64_t scenes = scene_count(20);
+  int paths = 0;
+  for (std::uint64_t seed = 101; seed < 101 + scenes; ++seed) {
+    CAPTURE(seed);
+    const MirrorScene scene = random_mirror_scene(seed);
+    const Mesh mesh = cut(scene.mesh);
+    const View view = analyze(make_mirror_world(mesh, scene.panels), scene.camera);
+    for (const LabelledTriangle& t : view.labelled.triangles) {
+      for (std::size_t p = 0; p < 2; ++p) {
+        const auto corner = [&](std::size_t i) { return view.labelled.vertices[t.corners[i].index()]; };
+        const bool large = norm(cross(corner(1) - corner(0), corner(2) - corner(0))) > 1e-3;
+        if ((t.reflecting >> p & 1U) == 0 || !large) continue;
+        ++paths;
+        CHECK(sees_back(mesh, scene, view.labelled, t, p));
+      }
+    }
+  }
+  MESSAGE(paths << " paths");
+  CHECK(paths >= 5 * static_cast<int>(scenes));
+}
 
 TEST_CASE("a million rays per scene meet the panels where the exact reflection says so") {
   constexpr std::uint64_t first_seed = 1;
