@@ -71,4 +71,6 @@ Camera grazing_view() {
   return perspective_camera("grazing", {{0.3, 0.5, 2.2}, {0, 0, 0}, {0, 1, 0}, 1.6, {}, {}}, 50);
 }
 
+Camera view_from_above() { return perspective_camera("above", {{0.1, 8, 0.2}, {0, 0, 0}, {0, 0, -1}, 1, {}, {}}, 20); }
+
 }  // namespace sightline::bench

@@ -14,8 +14,9 @@ namespace sightline::bench {
 // A height field of waves in waves. About `triangles` triangles.
 [[nodiscard]] Mesh terrain(std::size_t triangles);
 
-// A view of the whole surface, and one over the terrain at a grazing angle.
+// A view of the whole surface, one over the terrain at a grazing angle, and one from above that sees all of it.
 [[nodiscard]] Camera overview();
 [[nodiscard]] Camera grazing_view();
+[[nodiscard]] Camera view_from_above();
 
 }  // namespace sightline::bench

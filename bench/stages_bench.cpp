@@ -55,9 +55,32 @@ void view_of_terrain(benchmark::State& state) {
   run_view(state, terrain_case(static_cast<std::size_t>(state.range(0))));
 }
 
+// All of a terrain is seen, and a square lamp over it. reflect_s: to find what reflects it; swept: the pyramids that had an
+// obstacle in them, each of which costs a sweep.
+void reflections_of_terrain(benchmark::State& state) {
+  const Mesh mesh = terrain(static_cast<std::size_t>(state.range(0)));
+  const MirrorWorld world = make_mirror_world(mesh, {{"lamp", {{-1, 9, -1}, {1, 9, -1}, {1, 9, 1}, {-1, 9, 1}}, {}}});
+  View view;
+  view.scene = project(mesh, view_from_above(), Sides::both);
+  view.segments = sweep(mesh, view.scene);
+  view.polygons = reconstruct_polygons(mesh, view.scene, view.segments);
+  ReflectedView reflected;
+  for (auto _ : state) {
+    reflected = reflect(world, view.scene, view.segments, view.polygons);
+    benchmark::DoNotOptimize(reflected.scene.points.data());
+  }
+  const Reflections& found = reflected.reflections;
+  state.counters["visible"] = static_cast<double>(view.polygons.polygons.size());
+  state.counters["pyramids"] = static_cast<double>(found.statistics.pyramids);
+  state.counters["swept"] = static_cast<double>(found.statistics.blocked);
+  state.counters["reflecting"] = static_cast<double>(found.panels[0].polygons.polygons.size());
+}
+
 BENCHMARK(view_of_sphere)->Arg(10000)->Arg(100000)->Unit(benchmark::kMillisecond);
 BENCHMARK(view_of_sphere_both_sides)->Arg(10000)->Arg(100000)->Unit(benchmark::kMillisecond);
 BENCHMARK(view_of_terrain)->Arg(10000)->Arg(100000)->Unit(benchmark::kMillisecond);
+
+BENCHMARK(reflections_of_terrain)->Arg(10000)->Arg(100000)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace sightline::bench

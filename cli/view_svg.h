@@ -14,7 +14,7 @@
 
 namespace sightline {
 
-// places: window_points(view). panels: their names.
+// places: window_points(view). panels: the names of all panels; none: without their layers.
 [[nodiscard]] std::string view_svg(const Mesh& mesh, const View& view, const std::vector<Point2>& places,
                                    const std::vector<std::string>& panels = {});
 
