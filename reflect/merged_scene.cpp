@@ -34,7 +34,7 @@ class Merging {
   }
 
  private:
-  [[nodiscard]] ImageLine line(const ProjectedScene& scene, EdgeId e) const {
+  static ImageLine line(const ProjectedScene& scene, EdgeId e) {
     return {scene.point(scene.edge(e).top), scene.point(scene.edge(e).bottom)};
   }
 
