@@ -62,18 +62,33 @@ class Scan {
 
   void pass_comment() { at_ = std::min(text_.find_first_of("\r\n", at_), text_.size()); }
 
-  // One quote around text on a line, or three around any. Within double quotes, a backslash takes the next character.
-  // Three quotes that close can have up to two more before them.
+  // One quote around text on a line, or three around any; three quotes that close can have up to two more before them.
   void pass_quotes(char quote) {
     const std::string three(3, quote);
     const bool is_long = text_.substr(at_).starts_with(three);
     at_ += is_long ? 3 : 1;
     while (at_ < text_.size() && !text_.substr(at_).starts_with(is_long ? three : three.substr(2))) {
       if (!is_long && (text_[at_] == '\n' || text_[at_] == '\r')) return;
-      at_ = std::min(at_ + (quote == '"' && text_[at_] == '\\' ? 2 : 1), text_.size());
+      if (quote == '"' && text_[at_] == '\\') {
+        pass_escape();
+      } else {
+        ++at_;
+      }
     }
     at_ = std::min(at_ + (is_long ? 3 : 1), text_.size());
     for (int more = 0; is_long && more < 2 && at_ < text_.size() && text_[at_] == quote; ++more) ++at_;
+  }
+
+  // A backslash with the next character; at the end of a line, with all blanks and line ends that follow.
+  void pass_escape() {
+    constexpr std::string_view blanks = " \t\r\n";
+    ++at_;
+    if (at_ == text_.size()) return;
+    const bool at_blank = blanks.find(text_[at_]) != std::string_view::npos;
+    if (at_blank) at_ = std::min(text_.find_first_not_of(blanks, at_), text_.size());
+    if (at_ < text_.size() && static_cast<unsigned char>(text_[at_]) >= 0x80)
+      fail("a character that is not ASCII follows a backslash");
+    if (!at_blank) ++at_;
   }
 
   [[noreturn]] void fail(const char* cause) const {

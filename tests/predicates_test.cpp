@@ -197,7 +197,7 @@ TEST_CASE("orient3d: products that underflow beside a huge difference") {
 // Plain evaluation calls a hundredth of these wrong (Kettner et al., Classroom examples of robustness problems, 2008).
 TEST_CASE("orient2d: points in a last bit's distance of the line through two far points") {
   int wrong_without_bound = 0;
-  for (int i = 0; i < 256; ++i) {
+  for (int i = 0; i < 256; i += 2) {
     for (int j = 0; j < 256; ++j) {
       const Point2 p{0.5 + i * 0x1p-53, 0.5 + j * 0x1p-53};
       const double difference = (12 - p.x) * (24 - p.y) - (12 - p.y) * (24 - p.x);

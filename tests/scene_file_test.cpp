@@ -48,6 +48,7 @@ const std::string matrix = "[[500, 0, 320, 1600], [0, 500, 240, 1200], [0, 0, 1,
 const std::string matrix_camera = "[[camera]]\nname = \"p\"\nP = " + matrix + "\nimage = [640, 480]\n";
 std::string panel(const std::string& corners) { return "[[panel]]\nname = \"left\"\ncorners = " + corners + "\n"; }
 const std::string square = "[[0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]]";
+const std::string after_backslash = "not valid TOML: a character that is not ASCII follows a backslash";
 const std::string beyond_ascii = "not valid TOML: a character that is not ASCII stands outside quotes";
 
 }  // namespace
@@ -119,6 +120,8 @@ TEST_CASE("what is wrong in a scene file is named with key and line") {
       {mesh_part + "a = 1 \u00a1\n", 3, beyond_ascii},
       {mesh_part + "a = \"\"\u2028\n", 3, beyond_ascii},
       {mesh_part + "a = \"\"\"\"\n\u00e9\\\"\"\"\"\"\"\u00e9", 4, beyond_ascii},
+      {mesh_part + "a = \"\"\"\\\uFEFE\"\"\"\n", 3, after_backslash},
+      {mesh_part + "a = \"\"\"\\ \n\u00e9\"\"\"\n", 4, after_backslash},
       {mesh_part + "file = \"b.obj\"\n", 3, "not valid TOML"},
       {"", 0, "no [mesh]"},
       {pinhole, 0, "no [mesh]"},
