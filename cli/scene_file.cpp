@@ -29,7 +29,8 @@ toml::table parsed(std::string_view text, const std::string& path) {
   try {
     return toml::parse(text, path);
   } catch (const toml::parse_error& error) {
-    throw InputError(path, error.source().begin.line, fmt::format("not valid TOML: {}", printable(error.description(), longest_description)));
+    throw InputError(path, error.source().begin.line,
+                     fmt::format("not valid TOML: {}", printable(error.description(), longest_description)));
   }
 }
 

@@ -127,8 +127,7 @@ std::string view_svg(const Mesh& mesh, const View& view, const std::vector<Point
   for_each_polygon(view.polygons, [&](const VisiblePolygon& polygon, std::size_t occurrence) {
     write_polygon(mesh, view, polygon, occurrence, places, out);
   });
-  for (std::size_t p = 0; p < panels.size(); ++p)
-    write_panel(view.reflections.panels[p], panels[p], p, places, out);
+  for (std::size_t p = 0; p < panels.size(); ++p) write_panel(view.reflections.panels[p], panels[p], p, places, out);
   out << "</g>\n</svg>\n";
   return out.take();
 }
