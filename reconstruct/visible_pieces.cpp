@@ -243,9 +243,9 @@ class VisiblePieces {
       if (!triangulation.twin_of(h).valid()) enter(h);
       if (triangulation.is_constrained(h) && triangulation.twin_of(h).valid()) exits[region_of(h)].push_back(h);
     }
-    for (std::size_t i = 0; i < entries.size(); ++i) {
-      const std::size_t region = region_of(entries[i]);
-      for (const HalfEdgeId h : exits[region]) enter(triangulation.twin_of(h));
+    std::size_t done = 0;
+    while (done < entries.size()) {
+      for (const HalfEdgeId h : exits[region_of(entries[done++])]) enter(triangulation.twin_of(h));
     }
     return entries;
   }

@@ -61,8 +61,8 @@ class Reflection {
       found.push_back(mirror_->reflecting(border, part, panel, statistics_));
     found = divided_at_meetings(std::move(found));
     for (std::size_t panel = 0; panel < found.size(); ++panel) {
-      for (BorderPiece& piece : found[panel]) {
-        pieces_.push_back(std::move(piece));
+      for (const BorderPiece& piece : found[panel]) {
+        pieces_.push_back(piece);
         found_.push_back({surface, panel});
       }
     }
