@@ -4,6 +4,8 @@
 // Errors: InputError with file, line and key: an unknown key, a missing one, a wrong type, a wrong length.
 #pragma once
 
+#include <cstdint>
+
 // toml++ 3.3 asserts, and in release builds has the compiler assume, what some hostile texts break: that a value does not
 // begin with a terminator; that no character from U+00A1 to U+0499 is asked whether it is a blank. Without that it reports
 // an error for them: a character that no case names is no blank.
