@@ -17,21 +17,6 @@ bool is_on_the_grid(const Mesh& mesh, const oracle::RandomScene& scene) {
   }
 }
 
-double length(const ProjectedScene& scene, EdgeId e) {
-  const ImagePoint& top = scene.point(scene.edge(e).top);
-  const ImagePoint& bottom = scene.point(scene.edge(e).bottom);
-  return std::ldexp(std::hypot(static_cast<double>(bottom.x - top.x), static_cast<double>(bottom.y - top.y)),
-                    -scene.grid_bits);
-}
-
-// Visible areas are bounded by the scene's edges, and rounding moves these by less than one spacing of the grid: so no
-// area is off by more than their length times that spacing.
-double rounding_bound(const ProjectedScene& scene) {
-  double total = 0;
-  for (std::size_t e = 0; e < scene.edge_count(); ++e) total += length(scene, EdgeId(e));
-  return std::ldexp(total, -scene.grid_bits);
-}
-
 oracle::Complaints differences_from_truth(const Mesh& whole, const oracle::RandomScene& scene, const View& view) {
   const oracle::Truth truth = oracle::true_visibility(whole, scene.camera, scene.sides);
   std::vector<double> areas(whole.face_count());
@@ -39,7 +24,7 @@ oracle::Complaints differences_from_truth(const Mesh& whole, const oracle::Rando
   oracle::Complaints complaints;
   for (std::size_t f = 0; f < areas.size(); ++f) {
     const double expected = truth.visible_area[f].convert_to<double>();
-    if (std::fabs(areas[f] - expected) <= rounding_bound(view.scene)) continue;
+    if (std::fabs(areas[f] - expected) <= oracle::rounding_bound(view.scene)) continue;
     complaints.push_back("visible area of face " + std::to_string(f) + " is " + std::to_string(areas[f]) +
                          ", the oracle says " + std::to_string(expected));
   }

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "sweep/image_decisions.h"
+
 namespace sightline {
 namespace {
 
@@ -41,12 +43,7 @@ Sign side(const ImageLine& line, const ImagePlace& p) {
 }
 
 Sign turn(const ImageLine& a, const ImageLine& b) {
-  const auto difference = [](const ImageLine& line) {
-    return ImagePoint{line.bottom.x - line.top.x, line.bottom.y - line.top.y};
-  };
-  const ImagePoint u = difference(a);
-  const ImagePoint v = difference(b);
-  return sign_of(static_cast<Int128>(u.x) * v.y - static_cast<Int128>(u.y) * v.x);
+  return ExactDecisions::turn(ExactDecisions::direction(a.top, a.bottom), ExactDecisions::direction(b.top, b.bottom));
 }
 
 }  // namespace sightline

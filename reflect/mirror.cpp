@@ -62,10 +62,17 @@ Mirror::Mirror(const MirrorWorld& world, const ProjectedScene& scene, FacetId su
   if (scene.facing[surface.index()] == Facing::back) std::swap(plane_[1], plane_[2]);
 }
 
+std::vector<std::size_t> Mirror::panels_reached(const WindowPart& part) const {
+  const Pyramid pyramid(scene_.camera, plane_, widened(part, scene_.grid_bits));
+  std::vector<std::size_t> reached;
+  for (std::size_t p = 0; p < world_.panels.size(); ++p) {
+    if (pyramid.may_touch(world_.panel_boxes[p])) reached.push_back(p);
+  }
+  return reached;
+}
+
 RegionBorder Mirror::reflecting(const RegionBorder& polygon, const WindowPart& part, std::size_t panel,
                                 ReflectionStatistics& statistics) {
-  const WindowPart reach = widened(part, scene_.grid_bits);
-  if (!Pyramid(scene_.camera, plane_, reach).may_touch(world_.panel_boxes[panel])) return {};
   ++statistics.pyramids;
   const PanelImage& image = image_of(panel);
   const WindowPart common = common_part(part, image.part);

@@ -47,7 +47,10 @@ class Mirror {
  public:
   Mirror(const MirrorWorld& world, const ProjectedScene& scene, FacetId surface);
 
-  // polygon: the border of one of the surface's visible polygons; part: a rectangle around it.
+  // The panels that the pyramid through a part of the window may reach.
+  [[nodiscard]] std::vector<std::size_t> panels_reached(const WindowPart& part) const;
+
+  // polygon: the border of one of the surface's visible polygons; part: a rectangle around it; panel: one that is reached.
   [[nodiscard]] RegionBorder reflecting(const RegionBorder& polygon, const WindowPart& part, std::size_t panel,
                                         ReflectionStatistics& statistics);
 

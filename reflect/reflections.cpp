@@ -54,11 +54,12 @@ class Reflection {
       mirror_.emplace(world_, scene_, surface);
       mirrored_surface_ = surface;
     }
-    const RegionBorder border = border_of(p);
     const WindowPart part = part_around(p);
-    std::vector<RegionBorder> found;
-    for (std::size_t panel = 0; panel < world_.panels.size(); ++panel)
-      found.push_back(mirror_->reflecting(border, part, panel, statistics_));
+    const std::vector<std::size_t> reached = mirror_->panels_reached(part);
+    if (reached.empty()) return;
+    const RegionBorder border = border_of(p);
+    std::vector<RegionBorder> found(world_.panels.size());
+    for (const std::size_t panel : reached) found[panel] = mirror_->reflecting(border, part, panel, statistics_);
     found = divided_at_meetings(std::move(found));
     for (std::size_t panel = 0; panel < found.size(); ++panel) {
       for (const BorderPiece& piece : found[panel]) {

@@ -6,7 +6,9 @@
 // Holds: a reflecting polygon lies in a visible polygon of its face, and shares its points where it runs along its
 //      border; what splits a mesh edge is among the segments' splits, so that the labelled surface stays conforming.
 //      Polygons of different panels overlap only where these lie in one plane, on each other.
-// Complexity: O(log n) per visible polygon and panel, where the pyramid misses the panel; else that of mirror.h.
+// Complexity: O(1) per visible polygon and panel where the pyramid misses the panel; else a search among the obstacles, and
+// what overlay.h and the sweep of their shadows cost. Then that of merged_scene.h, and O(m v) to find where the m points
+// of a surface split its v visible edges.
 // Errors: InternalError; in float and double ArithmeticError instead.
 // Source: Koucky 2014, 3.9; see mirror.h for the departures.
 #pragma once

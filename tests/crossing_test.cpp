@@ -1,7 +1,7 @@
 // sightline against the rational oracle on random scenes whose faces pass through each other.
 #include <doctest/doctest.h>
 
-#include <cmath>
+#include <algorithm>
 #include <set>
 #include <sstream>
 
@@ -14,21 +14,10 @@
 namespace sightline::oracle {
 namespace {
 
-double length(const ProjectedScene& scene, EdgeId e) {
-  const ImagePoint& top = scene.point(scene.edge(e).top);
-  const ImagePoint& bottom = scene.point(scene.edge(e).bottom);
-  return std::ldexp(std::hypot(static_cast<double>(bottom.x - top.x), static_cast<double>(bottom.y - top.y)),
-                    -scene.grid_bits);
-}
-
-// How much an area may differ where points are off the grid. Rounding moves every end of an edge by at most half a
-// spacing of the grid per axis, less than one spacing in all, and with it the borders of what is visible, which run along
-// edges: so no area is off by more than the length of all edges times the spacing. Nor, whatever that is, by more than
-// 2^-38 of the window, whose area is 4.
-Rational rounding_bound(const ProjectedScene& scene) {
-  double total = 0;
-  for (std::size_t e = 0; e < scene.edge_count(); ++e) total += length(scene, EdgeId(e));
-  return Rational(std::min(std::ldexp(total, -scene.grid_bits), 4 * 0x1p-38));
+// Where points are off the grid: what rounding can change, and whatever that is, no more than 2^-38 of the window, whose
+// area is 4.
+Rational allowed_difference(const ProjectedScene& scene) {
+  return Rational(std::min(rounding_bound(scene), 4 * 0x1p-38));
 }
 
 // In window units squared.
@@ -153,7 +142,7 @@ Judgement judge_crossing(const RandomScene& scene) {
     std::vector<Rational> areas = visible_areas(mesh, view);
     for (Rational& area : areas) area = in_window_units(area, view.scene.grid_bits);
     compare_areas(judgement.complaints, true_visibility(whole, scene.camera, scene.sides), areas,
-                  judgement.exact ? Rational(0) : rounding_bound(view.scene));
+                  judgement.exact ? Rational(0) : allowed_difference(view.scene));
     judgement.meetings = check_meetings(judgement.complaints, mesh, view);
   } catch (const std::exception& error) {
     judgement.complaints.push_back(std::string("exception: ") + error.what());

@@ -124,14 +124,12 @@ Tally compare(const MirrorScene& scene, const View& view, std::uint64_t rays, st
   return tally;
 }
 
-double scalar(const Vector3& a, const Vector3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-
 // Where the ray from the eye, mirrored at a triangle's middle, meets a panel's plane.
 Point3 place_on_panel(const Point3& eye, const Point3& middle, const Vector3& normal, const Panel& panel) {
   const Vector3 direction = middle - eye;
-  const Vector3 mirrored = direction - (2 * scalar(direction, normal) / scalar(normal, normal)) * normal;
+  const Vector3 mirrored = direction - (2 * dot(direction, normal) / dot(normal, normal)) * normal;
   const Vector3 of_panel = cross(panel.corners[1] - panel.corners[0], panel.corners[2] - panel.corners[0]);
-  return middle + (scalar(panel.corners[0] - middle, of_panel) / scalar(mirrored, of_panel)) * mirrored;
+  return middle + (dot(panel.corners[0] - middle, of_panel) / dot(mirrored, of_panel)) * mirrored;
 }
 
 // A small square around a place, across the direction.

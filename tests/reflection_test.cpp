@@ -5,25 +5,13 @@
 
 #include "sightline/analyze.h"
 #include "tests/oracle/judge.h"
+#include "tests/polygon_mesh.h"
 
 namespace sightline {
 namespace {
 
-using Corners = std::vector<Point3>;
-
-Mesh mesh_of(const std::vector<Corners>& polygons) {
-  std::vector<Point3> vertices;
-  PolygonList faces;
-  for (const Corners& polygon : polygons) {
-    std::vector<VertexId> corners;
-    for (const Point3& p : polygon) {
-      corners.emplace_back(vertices.size());
-      vertices.push_back(p);
-    }
-    faces.push_back(corners);
-  }
-  return build_mesh(std::move(vertices), std::move(faces));
-}
+using testing::Corners;
+using testing::mesh_of;
 
 // Looks straight down; at depth d it sees what is at most d to the left, right, back and front.
 Camera looking_down(const Point3& eye) {

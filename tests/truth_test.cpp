@@ -5,26 +5,12 @@
 
 #include "oracle/truth.h"
 #include "tests/oracle/judge.h"
+#include "tests/polygon_mesh.h"
 
 namespace sightline::oracle {
 namespace {
 
-using Corners = std::vector<Point3>;
-
-// One vertex per corner.
-Mesh mesh_of_faces(const std::vector<Corners>& faces) {
-  std::vector<Point3> vertices;
-  PolygonList polygons;
-  for (const Corners& corners : faces) {
-    std::vector<VertexId> ids;
-    for (const Point3& p : corners) {
-      ids.emplace_back(vertices.size());
-      vertices.push_back(p);
-    }
-    polygons.push_back(ids);
-  }
-  return build_mesh(vertices, polygons);
-}
+using testing::Corners;
 
 // Looks along -z. A pinhole at the origin sees |x|, |y| <= -z; the other camera |x|, |y| <= 1.
 Camera looking_down_z(Projection projection) {
@@ -84,17 +70,17 @@ TEST_CASE("without faces that cross, the rational oracle says what the integer o
 }
 
 TEST_CASE("nothing to see: no faces, and faces that are all edge-on") {
-  const Truth nothing = true_visibility(mesh_of_faces({}), pinhole, Sides::both);
+  const Truth nothing = true_visibility(testing::mesh_of({}), pinhole, Sides::both);
   CHECK(nothing.visible_area.empty());
   CHECK(nothing.uncovered == 4);
-  const Mesh edge_on = mesh_of_faces({{{0, 0, -1}, {1, 0, -1}, {0, 0, -2}}, {{0, -1, -3}, {0, 1, -3}, {0, 0, -1}}});
+  const Mesh edge_on = testing::mesh_of({{{0, 0, -1}, {1, 0, -1}, {0, 0, -2}}, {{0, -1, -3}, {0, 1, -3}, {0, 0, -1}}});
   CHECK(true_visibility(edge_on, pinhole, Sides::both).uncovered == 4);
 }
 
 TEST_CASE("two crossing rectangles, seen in parallel: each is visible on its side of the common line") {
   // The second passes through the first, z = -2, where -2 + x - 1/4 = -2: right of x = 1/4 it is nearer.
   const Mesh mesh =
-      mesh_of_faces({slope_over_x(-0.5, -0.5, 0.5, 0.5, -2, 0), slope_over_x(-1, -0.25, 1, 0.25, -2.25, 1)});
+      testing::mesh_of({slope_over_x(-0.5, -0.5, 0.5, 0.5, -2, 0), slope_over_x(-1, -0.25, 1, 0.25, -2.25, 1)});
   const Truth truth = true_visibility(mesh, parallel, Sides::both);
   CHECK(truth.visible_area[0] == 1 - Rational(1, 4) * Rational(1, 2));
   CHECK(truth.visible_area[1] == (2 - Rational(3, 4)) / 2);
@@ -105,7 +91,7 @@ TEST_CASE("two crossing rectangles, seen in perspective: the common line's image
   // At z = -2 the first is |x|, |y| <= 1, in the image 1/2. The second is z = -2 + x / 2 from x = -1 (z = -5/2, image
   // x = -2/5) to x = 1 (z = -3/2, image x = 2/3), and passes through the first at x = 0. It is y = 0 .. 1 deep: its image
   // is from y = 0 to 1 / -z, where image x is s: z = -2 + s (-z) / 2, 1 / -z = (2 + s) / 4.
-  const Mesh mesh = mesh_of_faces({slope_over_x(-1, -1, 1, 1, -2, 0), slope_over_x(-1, 0, 1, 1, -2, 0.5)});
+  const Mesh mesh = testing::mesh_of({slope_over_x(-1, -1, 1, 1, -2, 0), slope_over_x(-1, 0, 1, 1, -2, 0.5)});
   const Truth truth = true_visibility(mesh, pinhole, Sides::both);
   const auto integral = [](const Rational& s) { return Rational((2 * s + s * s / 2) / 4); };
   CHECK(truth.visible_area[1] == integral(Rational(2, 3)));
@@ -116,12 +102,12 @@ TEST_CASE("two crossing rectangles, seen in perspective: the common line's image
 
 TEST_CASE("a triangle through a square, and a triangle that ends inside it") {
   const Corners square = slope_over_x(-0.5, -0.5, 0.5, 0.5, -2, 0);
-  const Mesh through = mesh_of_faces({square, {{-0.5, -0.5, -3}, {0.5, -0.5, -3}, {0, 0.5, -1}}});
+  const Mesh through = testing::mesh_of({square, {{-0.5, -0.5, -3}, {0.5, -0.5, -3}, {0, 0.5, -1}}});
   const Truth upper_half = true_visibility(through, parallel, Sides::both);
   CHECK(upper_half.visible_area[0] == Rational(7, 8));
   CHECK(upper_half.visible_area[1] == Rational(1, 8));
   // Its tip is behind; at x = 0, where it passes through, it is half as wide as at its end, x = 1/4.
-  const Mesh inside = mesh_of_faces({square, {{0.25, -0.25, -1}, {0.25, 0.25, -1}, {-0.25, 0, -3}}});
+  const Mesh inside = testing::mesh_of({square, {{0.25, -0.25, -1}, {0.25, 0.25, -1}, {-0.25, 0, -3}}});
   const Truth right_half = true_visibility(inside, parallel, Sides::both);
   CHECK(right_half.visible_area[0] == 1 - Rational(3, 32));
   CHECK(right_half.visible_area[1] == Rational(3, 32));
@@ -130,9 +116,9 @@ TEST_CASE("a triangle through a square, and a triangle that ends inside it") {
 
 TEST_CASE("three squares that cross each other in one point") {
   // z = -2, -2 + x, -2 + y.
-  const Mesh mesh = mesh_of_faces({slope_over_x(-0.5, -0.5, 0.5, 0.5, -2, 0),
-                                   slope_over_x(-0.5, -0.5, 0.5, 0.5, -2, 1),
-                                   {{-0.5, -0.5, -2.5}, {0.5, -0.5, -2.5}, {0.5, 0.5, -1.5}, {-0.5, 0.5, -1.5}}});
+  const Mesh mesh = testing::mesh_of({slope_over_x(-0.5, -0.5, 0.5, 0.5, -2, 0),
+                                      slope_over_x(-0.5, -0.5, 0.5, 0.5, -2, 1),
+                                      {{-0.5, -0.5, -2.5}, {0.5, -0.5, -2.5}, {0.5, 0.5, -1.5}, {-0.5, 0.5, -1.5}}});
   const Truth truth = true_visibility(mesh, parallel, Sides::both);
   CHECK(truth.visible_area[0] == Rational(1, 4));
   CHECK(truth.visible_area[1] == Rational(3, 8));
@@ -142,14 +128,14 @@ TEST_CASE("three squares that cross each other in one point") {
 
 TEST_CASE("squares through one axis: the steepest is in front, on either side") {
   const auto square = [](double slope) { return slope_over_x(-0.5, -0.5, 0.5, 0.5, -2, slope); };
-  const Truth two = true_visibility(mesh_of_faces({square(1), square(-1)}), parallel, Sides::both);
+  const Truth two = true_visibility(testing::mesh_of({square(1), square(-1)}), parallel, Sides::both);
   CHECK(two.visible_area == std::vector<Rational>{Rational(1, 2), Rational(1, 2)});
-  const Truth three = true_visibility(mesh_of_faces({square(1), square(-1), square(2)}), parallel, Sides::both);
+  const Truth three = true_visibility(testing::mesh_of({square(1), square(-1), square(2)}), parallel, Sides::both);
   CHECK(three.visible_area == std::vector<Rational>{0, Rational(1, 2), Rational(1, 2)});
 }
 
 TEST_CASE("coplanar faces: the lower index is in front") {
-  const Mesh mesh = mesh_of_faces({slope_over_x(0, 0, 1, 1, -2, 0.5), slope_over_x(-1, -1, 0.5, 0.5, -2, 0.5)});
+  const Mesh mesh = testing::mesh_of({slope_over_x(0, 0, 1, 1, -2, 0.5), slope_over_x(-1, -1, 0.5, 0.5, -2, 0.5)});
   const Truth truth = true_visibility(mesh, parallel, Sides::both);
   CHECK(truth.visible_area == std::vector<Rational>{1, 2});
 }
@@ -157,20 +143,20 @@ TEST_CASE("coplanar faces: the lower index is in front") {
 TEST_CASE("front sides only: a back-facing face is neither seen nor in the way") {
   Corners back = slope_over_x(-0.5, -0.5, 0.5, 0.5, -1, 0);
   std::swap(back[1], back[3]);
-  const Mesh mesh = mesh_of_faces({slope_over_x(-0.5, -0.5, 0.5, 0.5, -2, 0), back});
+  const Mesh mesh = testing::mesh_of({slope_over_x(-0.5, -0.5, 0.5, 0.5, -2, 0), back});
   CHECK(true_visibility(mesh, parallel, Sides::front).visible_area == std::vector<Rational>{1, 0});
   CHECK(true_visibility(mesh, parallel, Sides::both).visible_area == std::vector<Rational>{0, 1});
 }
 
 TEST_CASE("near and far planes cut; what lies in one is out of view") {
-  const Mesh mesh = mesh_of_faces({slope_over_x(-0.5, -0.5, 0.5, 0.5, -2, 1), slope_over_x(-1, -1, 0, 0, -1.75, 0),
-                                   slope_over_x(-1, -1, 0, 0, -2.25, 0)});
+  const Mesh mesh = testing::mesh_of({slope_over_x(-0.5, -0.5, 0.5, 0.5, -2, 1), slope_over_x(-1, -1, 0, 0, -1.75, 0),
+                                      slope_over_x(-1, -1, 0, 0, -2.25, 0)});
   Camera camera = parallel;
   camera.near_distance = 1.75;
   camera.far_distance = 2.25;
   CHECK(true_visibility(mesh, camera, Sides::both).visible_area == std::vector<Rational>{Rational(1, 2), 0, 0});
   // In perspective: the floor y = -1 is seen from its near end at -z = 2, image y = -1/2, to -z = 4, y = -1/4.
-  const Mesh floor = mesh_of_faces({{{-8, -1, 0}, {8, -1, 0}, {8, -1, -8}, {-8, -1, -8}}});
+  const Mesh floor = testing::mesh_of({{{-8, -1, 0}, {8, -1, 0}, {8, -1, -8}, {-8, -1, -8}}});
   Camera eye = pinhole;
   eye.near_distance = 2;
   eye.far_distance = 4;
@@ -180,14 +166,14 @@ TEST_CASE("near and far planes cut; what lies in one is out of view") {
 TEST_CASE("a floor that passes below the eye is clipped at the window") {
   // y = -1 between x = -1 and 1, from behind the eye to -z = 2: in the image from y = -1, where |x| <= 1, to y = -1/2,
   // where |x| <= 1/2.
-  const Mesh floor = mesh_of_faces({{{-1, -1, -2}, {-1, -1, 2}, {1, -1, 2}, {1, -1, -2}}});
+  const Mesh floor = testing::mesh_of({{{-1, -1, -2}, {-1, -1, 2}, {1, -1, 2}, {1, -1, -2}}});
   CHECK(true_visibility(floor, pinhole, Sides::both).visible_area == std::vector<Rational>{Rational(3, 4)});
 }
 
 TEST_CASE("a face that is not planar counts by facets") {
   // Folded along a diagonal: one facet is behind a square, the free corner of the other in front of it.
-  const Mesh mesh = mesh_of_faces({slope_over_x(-0.5, -0.5, 0.5, 0.5, -2, 0),
-                                   {{-0.5, -0.5, -3}, {0.5, -0.5, -3}, {0.5, 0.5, -3}, {-0.5, 0.5, -1}}});
+  const Mesh mesh = testing::mesh_of({slope_over_x(-0.5, -0.5, 0.5, 0.5, -2, 0),
+                                      {{-0.5, -0.5, -3}, {0.5, -0.5, -3}, {0.5, 0.5, -3}, {-0.5, 0.5, -1}}});
   const Truth truth = true_visibility(mesh, parallel, Sides::both);
   CHECK(truth.visible_area == std::vector<Rational>{Rational(7, 8), Rational(1, 8)});
   CHECK(truth.uncovered == 3);
@@ -199,17 +185,17 @@ TEST_CASE("any scale: the same areas from denormals to the largest doubles") {
     for (Corners& corners : faces) {
       for (Point3& p : corners) p = factor * p;
     }
-    return true_visibility(mesh_of_faces(faces), pinhole, Sides::both).visible_area;
+    return true_visibility(testing::mesh_of(faces), pinhole, Sides::both).visible_area;
   };
   for (const double factor : {0x1p-1070, 0x1p-500, 0x1p500, 0x1p1020}) CHECK(scaled(factor) == scaled(1));
   // Far and near in one scene: the far one fills the window, the near one covers a quarter.
-  const Mesh both = mesh_of_faces(
+  const Mesh both = testing::mesh_of(
       {slope_over_x(-1e150, -1e150, 1e150, 1e150, -1e150, 0), slope_over_x(0, 0, 0x1p-1060, 0x1p-1060, -0x1p-1060, 0)});
   CHECK(true_visibility(both, pinhole, Sides::both).visible_area == std::vector<Rational>{3, 1});
 }
 
 TEST_CASE("compare: the area where claims are wrong") {
-  const Mesh mesh = mesh_of_faces({slope_over_x(-0.5, -0.5, 0.5, 0.5, -1, 0), slope_over_x(0, 0, 1, 1, -2, 0)});
+  const Mesh mesh = testing::mesh_of({slope_over_x(-0.5, -0.5, 0.5, 0.5, -1, 0), slope_over_x(0, 0, 1, 1, -2, 0)});
   const auto square = [](const Rational& low, const Rational& high) { return rectangle(low, low, high, high); };
   const auto clockwise = [](std::vector<RationalPoint> ring) {
     std::reverse(ring.begin(), ring.end());
@@ -241,7 +227,7 @@ TEST_CASE("compare: the area where claims are wrong") {
 }
 
 TEST_CASE("compare: a claim of the truth itself is right where faces cross") {
-  const Mesh mesh = mesh_of_faces({slope_over_x(-1, -1, 1, 1, -2, 0), slope_over_x(-1, 0, 1, 1, -2, 0.5)});
+  const Mesh mesh = testing::mesh_of({slope_over_x(-1, -1, 1, 1, -2, 0), slope_over_x(-1, 0, 1, 1, -2, 0.5)});
   const Rational half(1, 2);
   const Claim wall{FaceId(0), {{{-half, -half}, {half, -half}, {half, 0}, {0, 0}, {0, half}, {-half, half}}}};
   const Claim slope{FaceId(1), {{{0, 0}, {Rational(2, 3), 0}, {Rational(2, 3), Rational(2, 3)}, {0, half}}}};

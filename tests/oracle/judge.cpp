@@ -1,6 +1,7 @@
 #include "tests/oracle/judge.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <sstream>
 
@@ -21,6 +22,14 @@ std::string text(const Rational& value) {
 
 void compare(Complaints& complaints, const std::string& what, const Rational& ours, const Rational& oracle) {
   if (ours != oracle) complaints.push_back(what + " is " + text(ours) + ", the oracle says " + text(oracle));
+}
+
+// In window units.
+double length(const ProjectedScene& scene, EdgeId e) {
+  const ImagePoint& top = scene.point(scene.edge(e).top);
+  const ImagePoint& bottom = scene.point(scene.edge(e).bottom);
+  return std::ldexp(std::hypot(static_cast<double>(bottom.x - top.x), static_cast<double>(bottom.y - top.y)),
+                    -scene.grid_bits);
 }
 
 void compare_with_oracle(Verdict& verdict, const RandomScene& scene, const Mesh& mesh, const View& view) {
@@ -111,6 +120,12 @@ RandomScene reduced(RandomScene scene, const std::function<bool(const RandomScen
   RandomScene compact = scene;
   compact.vertices = used_vertices(compact);
   return fails(compact) ? compact : scene;
+}
+
+double rounding_bound(const ProjectedScene& scene) {
+  double total = 0;
+  for (std::size_t e = 0; e < scene.edge_count(); ++e) total += length(scene, EdgeId(e));
+  return std::ldexp(total, -scene.grid_bits);
 }
 
 std::uint64_t scene_count(std::uint64_t full) {

@@ -22,6 +22,11 @@ using Complaints = std::vector<std::string>;
 // The exact visible area per face, in grid units squared: its polygons together.
 [[nodiscard]] std::vector<Rational> visible_areas(const Mesh& mesh, const View& view);
 
+// How much a visible area may differ from the truth, in window units squared: it is bounded by the scene's edges, and
+// rounding moves every end of an edge by at most half a spacing of the grid per axis, less than one spacing in all: so no
+// area is off by more than the length of all edges times the spacing.
+[[nodiscard]] double rounding_bound(const ProjectedScene& scene);
+
 // The window's area in grid units squared.
 [[nodiscard]] Rational window_area(int grid_bits);
 
