@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <string>
@@ -35,7 +36,7 @@ void make_folder(const fs::path& folder) {
 }
 
 void remove_empty(const std::vector<fs::path>& folders) {
-  for (auto folder = folders.rbegin(); folder != folders.rend(); ++folder) rmdir(folder->c_str());
+  std::for_each(folders.rbegin(), folders.rend(), [](const fs::path& folder) { rmdir(folder.c_str()); });
 }
 
 Descriptor opened_folder(const fs::path& folder) {

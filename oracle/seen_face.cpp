@@ -1,6 +1,7 @@
 #include "oracle/seen_face.h"
 
 #include <algorithm>
+#include <array>
 #include <span>
 
 #include "oracle/camera_point.h"
@@ -9,9 +10,10 @@ namespace sightline::oracle::image {
 namespace {
 
 using Rational = boost::multiprecision::cpp_rational;
+using Triple = std::array<Integer, 3>;
 
 // Twice the area of a triangle's projection along one of the four axes, with a sign.
-Integer determinant(const Integer (&p)[3], const Integer (&q)[3], const Integer (&r)[3]) {
+Integer determinant(const Triple& p, const Triple& q, const Triple& r) {
   return p[0] * (q[1] * r[2] - q[2] * r[1]) + p[1] * (q[2] * r[0] - q[0] * r[2]) + p[2] * (q[0] * r[1] - q[1] * r[0]);
 }
 
