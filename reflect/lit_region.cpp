@@ -1,7 +1,6 @@
 #include "reflect/lit_region.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "sweep/sweep.h"
 
@@ -27,50 +26,6 @@ void add_border(RegionBorder& border, ImagePolygon polygon) {
     const ImagePoint& q = polygon[i + 1 == polygon.size() ? 0 : i + 1];
     border.push_back({grid_place(p), grid_place(q), line_between(p, q)});
   }
-}
-
-// The sheets, in triangles; a corner of the grid as a point at some height over the window.
-class Sheets {
- public:
-  explicit Sheets(int grid_bits) : grid_bits_(grid_bits) {}
-
-  void add(const std::vector<ImagePolygon>& polygons, double height) {
-    for (const ImagePolygon& polygon : polygons) {
-      for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
-        const std::array corners{corner(polygon[0], height), corner(polygon[i], height),
-                                 corner(polygon[i + 1], height)};
-        faces_.push_back(corners);
-      }
-    }
-  }
-
-  [[nodiscard]] std::size_t count() const { return faces_.size(); }
-  [[nodiscard]] Mesh mesh() { return build_mesh(std::move(vertices_), std::move(faces_)); }
-
- private:
-  VertexId corner(const ImagePoint& p, double height) {
-    vertices_.push_back({coordinate(p.x), coordinate(p.y), height});
-    return VertexId(vertices_.size() - 1);
-  }
-  [[nodiscard]] double coordinate(std::int64_t grid) const {
-    return std::ldexp(static_cast<double>(grid), -grid_bits_);
-  }
-
-  int grid_bits_;
-  std::vector<Point3> vertices_;
-  PolygonList faces_;
-};
-
-// Straight down on the window: a point's image is its own x and y.
-Camera straight_down() {
-  Camera camera;
-  camera.name = "straight down";
-  camera.projection = Projection::orthographic;
-  camera.right = {1, 0, 0};
-  camera.up = {0, 1, 0};
-  camera.forward = {0, 0, -1};
-  camera.eye = {{0, 0, 1}, 0};
-  return camera;
 }
 
 ImagePlace place_of(const ProjectedScene& scene, const VisibleSegments& segments, PointId p) {
@@ -99,9 +54,9 @@ RegionBorder lit_region(const std::vector<ImagePolygon>& panel, const std::vecto
     return border;
   }
   Sheets sheets(grid_bits);
-  sheets.add(panel, 0);
+  for (const ImagePolygon& polygon : panel) sheets.add(polygon, 0);
   const std::size_t lit = sheets.count();
-  sheets.add(shadows, 1);
+  for (const ImagePolygon& polygon : shadows) sheets.add(polygon, 1);
   const Mesh mesh = sheets.mesh();
   const ProjectedScene scene = project(mesh, straight_down(), Sides::both, {Arithmetic::exact, grid_bits});
   const VisibleSegments segments = sweep(mesh, scene);

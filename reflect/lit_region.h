@@ -13,11 +13,10 @@
 
 #include "geometry/projected_scene.h"
 #include "reflect/overlay.h"
+#include "reflect/sheets.h"
 #include "sweep/visible_segments.h"
 
 namespace sightline {
-
-using ImagePolygon = std::vector<ImagePoint>;
 
 [[nodiscard]] RegionBorder lit_region(const std::vector<ImagePolygon>& panel, const std::vector<ImagePolygon>& shadows,
                                       int grid_bits);
