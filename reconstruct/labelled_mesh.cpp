@@ -241,7 +241,7 @@ class Labeller {
   }
 
   void add_triangle(FacetId f, const std::array<VertexId, 3>& corners, Label label, bool seen) {
-    result_.triangles.push_back({corners, mesh_.facet_face[f.index()], label, seen});
+    result_.triangles.push_back({corners, mesh_.facet_face[f.index()], surface_of(mesh_, f), label, seen});
   }
 
   const Mesh& mesh_;

@@ -40,6 +40,7 @@ enum class Label : std::uint8_t {
 struct LabelledTriangle {
   std::array<VertexId, 3> corners;  // into LabelledMesh::vertices
   FaceId face;
+  FacetId surface;  // the one it lies on (surface_of in facet_plane.h), whatever the camera
   Label label = Label::hidden;
   bool seen = false;  // the camera sees it: label visible, or a piece of a back-facing face that nothing hides
   std::uint64_t reflecting = 0;  // bit p: it mirrors panel p into the camera
@@ -52,7 +53,7 @@ constexpr std::size_t most_panels = 64;
 
 struct LabelledMesh {
   std::vector<Point3> vertices;
-  std::vector<LabelledTriangle> triangles;  // by face
+  std::vector<LabelledTriangle> triangles;  // by face, then by surface
 };
 
 [[nodiscard]] LabelledMesh label_mesh(const Mesh& mesh, const ProjectedScene& scene, const VisibleSegments& segments,

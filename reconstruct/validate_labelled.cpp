@@ -74,6 +74,22 @@ void check_triangle(const LabelledMesh& labelled, const Mesh& mesh, std::size_t 
          " is of " + name(t.face) + ", which is skipped");
 }
 
+// Surfaces are named by the facets of the mesh as it was cut.
+void check_surfaces(const LabelledMesh& labelled, const Mesh& mesh, Messages& messages) {
+  FacetId last(0);
+  for (std::size_t i = 0; i < labelled.triangles.size(); ++i) {
+    const LabelledTriangle& t = labelled.triangles[i];
+    const bool is_surface = t.surface.index() < mesh.facet_count() && surface_of(mesh, t.surface) == t.surface;
+    if (!is_surface || mesh.facet_face[t.surface.index()] != t.face) {
+      messages.push_back(triangle_name(i) + " is on no surface of its face");
+    } else if (t.surface < last) {
+      messages.push_back(triangle_name(i) + " is not listed with its surface");
+    } else {
+      last = t.surface;
+    }
+  }
+}
+
 // A sum whose error does not grow with its length (Neumaier 1974).
 class Sum {
  public:
@@ -226,16 +242,25 @@ void check_faces(const LabelledMesh& labelled, const Mesh& mesh, const Projected
   }
 }
 
+// uncut: the mesh without the lines along which it was cut.
+void check_against(const Mesh& uncut, const LabelledMesh& labelled, const ProjectedScene& scene, Messages& messages) {
+  check_vertices(labelled, uncut, messages);
+  for (std::size_t t = 0; t < labelled.triangles.size(); ++t) check_triangle(labelled, uncut, t, messages);
+  if (!messages.empty()) return;
+  check_faces(labelled, uncut, scene, messages);
+  check_conformity(labelled, uncut, messages);
+}
+
 }  // namespace
 
 std::vector<std::string> validate(const LabelledMesh& labelled, const Mesh& mesh, const ProjectedScene& scene) {
-  if (mesh.is_cut()) return validate(labelled, without_cuts(mesh), scene);
   Messages messages;
-  check_vertices(labelled, mesh, messages);
-  for (std::size_t t = 0; t < labelled.triangles.size(); ++t) check_triangle(labelled, mesh, t, messages);
-  if (!messages.empty()) return messages;
-  check_faces(labelled, mesh, scene, messages);
-  check_conformity(labelled, mesh, messages);
+  if (mesh.is_cut()) {
+    check_against(without_cuts(mesh), labelled, scene, messages);
+  } else {
+    check_against(mesh, labelled, scene, messages);
+  }
+  check_surfaces(labelled, mesh, messages);
   return messages;
 }
 

@@ -61,8 +61,9 @@ Analysed fang() { return analysed("fang/scene.toml", 0); }
 LabelledMesh two_triangles() {
   LabelledMesh labelled;
   labelled.vertices = {{0.1, -0.0, 1e-310}, {1e300, 1.0 / 3, -5e-324}, {0.1 + 0.2, 4, 5}, {6, 7, 8}};
-  labelled.triangles = {{{VertexId(0), VertexId(1), VertexId(2)}, FaceId(3), Label::visible, true},
-                        {{VertexId(2), VertexId(1), VertexId(3)}, FaceId(70000), Label::back_facing, false}};
+  labelled.triangles = {
+      {{VertexId(0), VertexId(1), VertexId(2)}, FaceId(3), FacetId(3), Label::visible, true},
+      {{VertexId(2), VertexId(1), VertexId(3)}, FaceId(70000), FacetId(70000), Label::back_facing, false}};
   return labelled;
 }
 

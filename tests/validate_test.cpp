@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "geometry/camera.h"
+#include "geometry/facet_plane.h"
 #include "reconstruct/labelled_mesh.h"
 #include "reconstruct/ring_measure.h"
 #include "reconstruct/surface_layout.h"
@@ -378,8 +379,11 @@ void add_facet(LabelledMesh& labelled, const Mesh& mesh, FacetId facet, const st
   }
   std::rotate(border.begin(), border.begin() + static_cast<std::ptrdiff_t>(centre), border.end());
   for (std::size_t i = 1; i + 1 < border.size(); ++i) {
-    labelled.triangles.push_back(
-        {{border[0], border[i], border[i + 1]}, mesh.facet_face[facet.index()], Label::visible, true});
+    labelled.triangles.push_back({{border[0], border[i], border[i + 1]},
+                                  mesh.facet_face[facet.index()],
+                                  surface_of(mesh, facet),
+                                  Label::visible,
+                                  true});
   }
 }
 
@@ -460,6 +464,8 @@ const std::vector<Breakage<LabelledMesh>> broken_labelled{
     {"is not listed with its face", [](LabelledMesh& m) { std::swap(m.triangles.front(), m.triangles.back()); }},
     {"triangle 0 is of no face", [](LabelledMesh& m) { m.triangles[0].face = FaceId(99); }},
     {"is of face 4, which is skipped", [](LabelledMesh& m) { m.triangles.back().face = FaceId(4); }},
+    {"triangle 0 is on no surface of its face", [](LabelledMesh& m) { m.triangles[0].surface = FacetId{}; }},
+    {"triangle 0 is on no surface of its face", [](LabelledMesh& m) { m.triangles[0].surface = FacetId(2); }},
     {"face 0 has triangles of another area", [](LabelledMesh& m) { m.triangles.erase(m.triangles.begin()); }},
     {"face 0 has triangles of another area", [](LabelledMesh& m) { m.vertices[5].z = -0.001; }},
     {"triangle 0 is turned over against face 0",
@@ -475,6 +481,17 @@ TEST_CASE("validate reports what is broken in a labelled mesh") {
     break_it(labelled);
     check_reported(validated(labelled, mesh), part);
   }
+}
+
+TEST_CASE("validate reports a surface that is not the one of the plane, and one out of its place") {
+  const Mesh warped = mesh_of({{0, 0, 0}, {4, 0, 0}, {4, 4, 2}, {0, 4, 0}}, {{0, 1, 2, 3}});
+  LabelledMesh swapped = refined(warped, {});
+  std::swap(swapped.triangles[0], swapped.triangles[1]);
+  CHECK(validated(swapped, warped) == Messages{"triangle 1 is not listed with its surface"});
+  const Mesh bow = mesh_of({{0, 0, 0}, {4, 0, 0}, {2, 2, 0}, {4, 4, 0}, {0, 4, 0}}, {{0, 1, 2, 3, 4, 2}});
+  LabelledMesh by_facet = refined(bow, {});
+  by_facet.triangles[1].surface = FacetId(1);
+  CHECK(validated(by_facet, bow) == Messages{"triangle 1 is on no surface of its face"});
 }
 
 TEST_CASE("validate reports an edge that is split for one of its faces only") {
