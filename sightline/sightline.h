@@ -15,6 +15,7 @@
 #include "geometry/vector3.h"
 #include "reconstruct/labelled_mesh.h"
 #include "reconstruct/visible_polygons.h"
+#include "reflect/coverage.h"
 #include "reflect/panel.h"
 #include "reflect/reflections.h"
 #include "sightline/analyze.h"
