@@ -1,7 +1,6 @@
 #include "cli/result_folders.h"
 
 #include <cerrno>
-#include <vector>
 
 #include "cli/foreign_files.h"
 
@@ -33,21 +32,34 @@ void require_folder_or_nothing(const fs::path& place) {
   if (is_there(place) && !is_folder(place)) fail_to_write(place, ENOTDIR);
 }
 
+void require_file_or_nothing(const fs::path& place) {
+  std::error_code ignored;
+  if (is_folder(place)) fail_to_write(place, EISDIR);
+  if (is_there(place) && !fs::is_regular_file(fs::symlink_status(place, ignored))) fail_to_write(place, EEXIST);
+}
+
+void hand_on_permissions(const fs::path& old_one, const fs::path& new_one) {
+  std::error_code ignored;
+  if (is_there(old_one)) fs::permissions(new_one, fs::status(old_one).permissions(), ignored);
+}
+
 // Completes the new folder with what is not replaced of the old one.
-void prepare(const FolderReplacement& replacement) {
+void prepare_folder(const Replacement& replacement) {
   const auto& [fresh, place, aside] = replacement;
   require_folder_or_nothing(place);
-  if (is_folder(place)) {
-    carry_over(place, fresh);
-    std::error_code ignored;
-    fs::permissions(fresh, fs::status(place).permissions(), ignored);
-  }
+  if (is_folder(place)) carry_over(place, fresh);
+  hand_on_permissions(place, fresh);
   sync_folder(fresh);
+}
+
+void prepare_file(const Replacement& replacement) {
+  require_file_or_nothing(replacement.place);
+  hand_on_permissions(replacement.place, replacement.fresh);
 }
 
 }  // namespace
 
-FolderReplacement ResultFolders::replacement(const std::string& name) const {
+Replacement ResultFolders::replacement(const std::string& name) const {
   return {staging_.fresh() / name, parent_ / name, staging_.old() / name};
 }
 
@@ -72,18 +84,38 @@ void ResultFolders::write(const std::string& name, const std::string& file, std:
   write_durably(opened, content, path);
 }
 
+void ResultFolders::write_beside(const std::string& file, std::string_view content) {
+  const fs::path path = staging_.fresh() / file;
+  Descriptor opened;
+  {
+    const auto names = staging_.names();
+    require_place_beside(file);
+    opened = create_file(path);
+    files_.insert(file);
+  }
+  write_durably(opened, content, path);
+}
+
+void ResultFolders::require_place_beside(const std::string& file) const { require_file_or_nothing(parent_ / file); }
+
+// The folders first.
+std::vector<Replacement> ResultFolders::prepared() const {
+  std::vector<Replacement> replacements;
+  for (const std::string& name : made_) prepare_folder(replacements.emplace_back(replacement(name)));
+  for (const std::string& file : files_) prepare_file(replacements.emplace_back(replacement(file)));
+  return replacements;
+}
+
 // What somebody put into an old folder after it was prepared is in the old one only.
 void ResultFolders::publish() {
   const auto names = staging_.names();
-  std::vector<FolderReplacement> replacements;
-  for (const std::string& name : made_) replacements.push_back(replacement(name));
-  for (const FolderReplacement& each : replacements) prepare(each);
+  const std::vector<Replacement> replacements = prepared();
   std::vector<Replaced> replaced;
   std::error_code error;
-  const FolderReplacement* const failed = replace_all(replacements, replaced, error);
+  const Replacement* const failed = replace_all(replacements, replaced, error);
   if (failed != nullptr) fail_to_write(failed->place, error.value());
-  for (std::size_t i = 0; i < replacements.size(); ++i) {
-    if (replaced[i] != Replaced::nothing) carry_over(old_folder(replacements[i], replaced[i]), replacements[i].place);
+  for (std::size_t i = 0; i < made_.size(); ++i) {
+    if (replaced[i] != Replaced::nothing) carry_over(old_one(replacements[i], replaced[i]), replacements[i].place);
   }
   sync_folder(parent_);
 }

@@ -46,6 +46,63 @@ TEST_CASE("nothing changes before results are published, and all of it afterward
   CHECK(leftovers_in(earlier.out) == 0);
 }
 
+TEST_CASE("a file beside the folders appears with them, and replaces an old one") {
+  const EarlierResults earlier;
+  earlier.folder.file("out/beside", "old");
+  earlier.folder.file("out/foreign", "mine");
+  fs::permissions(earlier.out / "beside", fs::perms::owner_read | fs::perms::owner_write);
+  const Snapshot before = snapshot_of(earlier.out);
+  {
+    ResultFolders results(earlier.out);
+    results.write_beside("first", "new");
+    results.write("page", "a", "new a");
+    results.write_beside("beside", "new");
+    CHECK(snapshot_of(earlier.out) == before);
+    results.publish();
+  }
+  CHECK(snapshot_of(earlier.out) ==
+        Snapshot{{"beside", "new"}, {"first", "new"}, {"foreign", "mine"}, {"page/a", "new a"}, {"page/b", "old b"}});
+  CHECK(fs::status(earlier.out / "beside").permissions() == (fs::perms::owner_read | fs::perms::owner_write));
+  CHECK(leftovers_in(earlier.out) == 0);
+}
+
+TEST_CASE("a file beside the folders that is not published leaves the old one, or nothing") {
+  const EarlierResults earlier;
+  earlier.folder.file("out/beside", "old");
+  const Snapshot before = snapshot_of(earlier.out);
+  {
+    ResultFolders results(earlier.out);
+    results.write_beside("beside", "new");
+    results.write_beside("first", "new");
+  }
+  CHECK(snapshot_of(earlier.out) == before);
+}
+
+TEST_CASE("a folder or a link in the place of a file beside the folders is refused, also when it comes late") {
+  const EarlierResults earlier;
+  fs::create_symlink("page/a", earlier.out / "link");
+  ResultFolders results(earlier.out);
+  for (const char* name : {"page", "link"}) {
+    CHECK_THROWS_AS(results.require_place_beside(name), OutputError);
+    CHECK_THROWS_AS(results.write_beside(name, ""), OutputError);
+  }
+  results.write("page", "a", "new a");
+  results.write_beside("late", "new");
+  fs::create_directory(earlier.out / "late");
+  const Snapshot before = snapshot_of(earlier.out);
+  CHECK_THROWS_AS(results.publish(), OutputError);
+  CHECK(snapshot_of(earlier.out) == before);
+}
+
+TEST_CASE("a folder and a file beside it cannot have one name") {
+  const EarlierResults earlier;
+  ResultFolders results(earlier.out);
+  results.write("folder", "a", "");
+  CHECK_THROWS_AS(results.write_beside("folder", ""), OutputError);
+  results.write_beside("file", "");
+  CHECK_THROWS_AS(results.write("file", "a", ""), OutputError);
+}
+
 TEST_CASE("results that are not published leave nothing, not even the folders made for them") {
   const EarlierResults earlier;
   const Snapshot before = snapshot_of(earlier.out);
@@ -131,9 +188,9 @@ TEST_CASE("where one folder cannot be replaced, none is") {
   const EarlierResults earlier;
   const fs::path root = earlier.folder.path();
   for (const char* name : {"one", "two"}) fs::create_directory(root / name);
-  const std::vector<FolderReplacement> replacements = {{root / "one", earlier.out / "page", root / "aside one"},
-                                                       {root / "two", earlier.out / "fresh", root / "aside two"},
-                                                       {root / "missing", earlier.out / "page", root / "aside three"}};
+  const std::vector<Replacement> replacements = {{root / "one", earlier.out / "page", root / "aside one"},
+                                                 {root / "two", earlier.out / "fresh", root / "aside two"},
+                                                 {root / "missing", earlier.out / "page", root / "aside three"}};
   const Snapshot before = snapshot_of(root);
   std::vector<Replaced> replaced;
   std::error_code error;
@@ -142,6 +199,20 @@ TEST_CASE("where one folder cannot be replaced, none is") {
   CHECK(snapshot_of(root) == before);
   CHECK(fs::exists(root / "two"));
   CHECK_FALSE(fs::exists(earlier.out / "fresh"));
+}
+
+TEST_CASE("where the file beside the folders cannot be replaced, no folder is") {
+  const EarlierResults earlier;
+  const fs::path root = earlier.folder.path();
+  fs::create_directory(root / "one");
+  earlier.folder.file("out/beside", "old");
+  const std::vector<Replacement> replacements = {{root / "one", earlier.out / "page", root / "aside one"},
+                                                 {root / "missing", earlier.out / "beside", root / "aside two"}};
+  const Snapshot before = snapshot_of(root);
+  std::vector<Replaced> replaced;
+  std::error_code error;
+  CHECK(replace_all(replacements, replaced, error) == &replacements[1]);
+  CHECK(snapshot_of(root) == before);
 }
 
 TEST_CASE("the temporary folder of a run that was killed goes, that of one that lives stays") {
@@ -164,13 +235,13 @@ TEST_CASE("in two steps, where a file system cannot exchange: the old folder is 
   const fs::path root = earlier.folder.path();
   fs::create_directory(root / "fresh");
   earlier.folder.file("fresh/a", "new a");
-  const FolderReplacement replacement{root / "fresh", earlier.out / "page", root / "aside"};
+  const Replacement replacement{root / "fresh", earlier.out / "page", root / "aside"};
   const Snapshot before = snapshot_of(root);
   std::error_code error;
   CHECK(replace_in_two_steps(replacement, error) == Replaced::in_two_steps);
   CHECK_FALSE(error);
   CHECK(read_text(earlier.out / "page" / "a") == "new a");
-  CHECK(read_text(old_folder(replacement, Replaced::in_two_steps) / "a") == "old a");
+  CHECK(read_text(old_one(replacement, Replaced::in_two_steps) / "a") == "old a");
   undo(replacement, Replaced::in_two_steps);
   CHECK(snapshot_of(root) == before);
   fs::remove_all(root / "fresh");
@@ -186,7 +257,9 @@ TEST_CASE("an old folder that a killed run had moved aside goes back, unless the
   earlier.folder.file("out/.sightline-partial-dead/old/page/a", "older");
   fs::create_directories(aside / "moved");
   earlier.folder.file("out/.sightline-partial-dead/old/moved/a", "moved");
+  earlier.folder.file("out/.sightline-partial-dead/old/beside", "moved");
   const ResultFolders next(earlier.out);
-  CHECK(snapshot_of(earlier.out) == Snapshot{{"moved/a", "moved"}, {"page/a", "old a"}, {"page/b", "old b"}});
+  CHECK(snapshot_of(earlier.out) ==
+        Snapshot{{"beside", "moved"}, {"moved/a", "moved"}, {"page/a", "old a"}, {"page/b", "old b"}});
   CHECK(leftovers_in(earlier.out) == 1);
 }

@@ -1,4 +1,4 @@
-#include "cli/folder_replacement.h"
+#include "cli/replacement.h"
 
 #include <fcntl.h>
 
@@ -21,14 +21,14 @@ bool cannot_exchange(const std::error_code& error) {
 
 }  // namespace
 
-Replaced replace(const FolderReplacement& replacement, std::error_code& error) {
+Replaced replace(const Replacement& replacement, std::error_code& error) {
   error = exchange(replacement.fresh, replacement.place);
   if (!error) return Replaced::at_once;
   if (error != std::errc::no_such_file_or_directory && !cannot_exchange(error)) return Replaced::nothing;
   return replace_in_two_steps(replacement, error);
 }
 
-Replaced replace_in_two_steps(const FolderReplacement& replacement, std::error_code& error) {
+Replaced replace_in_two_steps(const Replacement& replacement, std::error_code& error) {
   std::filesystem::rename(replacement.place, replacement.aside, error);
   const bool was_there = !error;
   if (error && error != std::errc::no_such_file_or_directory) return Replaced::nothing;
@@ -39,9 +39,9 @@ Replaced replace_in_two_steps(const FolderReplacement& replacement, std::error_c
   return Replaced::nothing;
 }
 
-const FolderReplacement* replace_all(std::span<const FolderReplacement> replacements, std::vector<Replaced>& replaced,
-                                     std::error_code& error) {
-  for (const FolderReplacement& replacement : replacements) {
+const Replacement* replace_all(std::span<const Replacement> replacements, std::vector<Replaced>& replaced,
+                               std::error_code& error) {
+  for (const Replacement& replacement : replacements) {
     const Replaced how = replace(replacement, error);
     if (error) {
       for (; !replaced.empty(); replaced.pop_back()) undo(replacements[replaced.size() - 1], replaced.back());
@@ -52,7 +52,7 @@ const FolderReplacement* replace_all(std::span<const FolderReplacement> replacem
   return nullptr;
 }
 
-void undo(const FolderReplacement& replacement, Replaced replaced) {
+void undo(const Replacement& replacement, Replaced replaced) {
   std::error_code ignored;
   if (replaced == Replaced::at_once) {
     (void)exchange(replacement.fresh, replacement.place);
@@ -62,7 +62,7 @@ void undo(const FolderReplacement& replacement, Replaced replaced) {
   if (replaced == Replaced::in_two_steps) std::filesystem::rename(replacement.aside, replacement.place, ignored);
 }
 
-const std::filesystem::path& old_folder(const FolderReplacement& replacement, Replaced replaced) {
+const std::filesystem::path& old_one(const Replacement& replacement, Replaced replaced) {
   return replaced == Replaced::at_once ? replacement.fresh : replacement.aside;
 }
 
