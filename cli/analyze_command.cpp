@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "cli/coverage_table.h"
 #include "cli/faces_table.h"
 #include "cli/labelled_obj.h"
 #include "cli/labelled_ply.h"
@@ -30,9 +31,11 @@ Scene scene_of(const AnalyzeOptions& options) {
   return scene;
 }
 
-std::vector<std::string> panel_names(const Scene& scene) {
+// Of cameras or panels.
+template <class Item>
+std::vector<std::string> names_of(const std::vector<Item>& items) {
   std::vector<std::string> names;
-  for (const Panel& panel : scene.panels) names.push_back(panel.name);
+  for (const Item& item : items) names.push_back(item.name);
   return names;
 }
 
@@ -40,7 +43,7 @@ void write_results(ResultFolders& results, const Scene& scene, const Mesh& mesh,
                    const std::vector<FaceMeasures>& faces) {
   const std::string& name = view.scene.camera.name;
   const std::vector<Point2> places = window_points(view);
-  const std::vector<std::string> panels = panel_names(scene);
+  const std::vector<std::string> panels = names_of(scene.panels);
   results.write(name, "faces.csv", faces_table(faces, panels));
   results.write(name, "labelled.ply", labelled_ply(view.labelled, panels));
   results.write(name, "labelled.obj", labelled_obj(view.labelled, panels));
@@ -59,34 +62,54 @@ Report written_report(const Scene& scene, const MeshInput& input, const ViewAnal
   return report;
 }
 
-// results: where the files go, if anywhere.
+// Where the files go, and what all cameras see, for the file that is about all of them.
+struct Output {
+  explicit Output(const std::string& folder) : results(folder) { results.require_place_beside(coverage_file); }
+
+  ResultFolders results;
+  std::vector<SeenPart> seen;  // per camera
+};
+
+// output: null where no files are wanted.
 Report camera_report(const Scene& scene, const MeshInput& input, const MirrorWorld& world, const Camera& camera,
-                     const Precision& precision, ResultFolders* results, Progress& progress) {
+                     const Precision& precision, Output* output, Progress& progress) {
   const ViewAnalysis analysis = analyze_view(input, world, camera, scene.sides, precision, progress);
-  if (results == nullptr) return make_report(scene, input, analysis, measure_faces(input.mesh, analysis.view), 0);
+  if (output == nullptr) return make_report(scene, input, analysis, measure_faces(input.mesh, analysis.view), 0);
+  output->seen.push_back(seen_part(analysis.view.labelled));
   progress.stage(camera.name + ": write the results");
-  return written_report(scene, input, analysis, *results);
+  return written_report(scene, input, analysis, output->results);
 }
 
-std::string standard_output(const std::vector<Report>& reports, const AnalyzeOptions& options) {
+Coverage published_coverage(const Scene& scene, const Mesh& mesh, Output& output, Progress& progress) {
+  progress.stage("what the cameras cover together");
+  Coverage coverage = cover(mesh, output.seen, scene.panels.size());
+  output.results.write_beside(coverage_file, coverage_table(coverage, names_of(scene.cameras), names_of(scene.panels)));
+  output.results.publish();
+  return coverage;
+}
+
+// coverage: of what is in the folder of the results, if there is one.
+std::string standard_output(const std::vector<Report>& reports, const std::optional<Coverage>& coverage,
+                            const AnalyzeOptions& options) {
   if (options.json) return report_text(reports.size() == 1 ? reports.front() : Report(reports));
-  return options.quiet ? "" : summary(reports, *options.output);
+  return options.quiet ? "" : summary(reports, coverage.value(), *options.output);
 }
 
 std::string analyzed(const AnalyzeOptions& options) {
   Progress progress(!options.quiet && Progress::watched());
   const Scene scene = scene_of(options);
   const MeshInput input = read_mesh(scene.mesh_file, options.max_memory, progress);
-  std::optional<ResultFolders> results;
-  if (options.output) results.emplace(*options.output);
+  std::optional<Output> output;
+  if (options.output) output.emplace(*options.output);
   const MirrorWorld world = make_mirror_world(input.mesh, scene.panels);
   std::vector<Report> reports;
   for (const Camera& camera : scene.cameras) {
     reports.push_back(
-        camera_report(scene, input, world, camera, options.precision, results ? &*results : nullptr, progress));
+        camera_report(scene, input, world, camera, options.precision, output ? &*output : nullptr, progress));
   }
-  if (results) results->publish();
-  return standard_output(reports, options);
+  std::optional<Coverage> coverage;
+  if (output) coverage = published_coverage(scene, input.mesh, *output, progress);
+  return standard_output(reports, coverage, options);
 }
 
 }  // namespace

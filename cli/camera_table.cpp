@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cli/camera_name.h"
+#include "cli/coverage_table.h"
 #include "geometry/errors.h"
 
 namespace sightline {
@@ -24,10 +25,17 @@ std::string_view form_of(const TomlReader& table) {
   return found[0];
 }
 
+// Also where the file system, or the one that results are copied to, tells no capitals from small letters.
+bool is_coverage_file(std::string name) {
+  for (char& c : name) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return name == coverage_file;
+}
+
 std::string read_name(const TomlReader& table) {
   const std::string name = table.text("name");
   const auto defect = camera_name_defect(name);
   if (defect) table.fail("name", "the camera's name " + *defect + "; it becomes the name of a folder");
+  if (is_coverage_file(name)) table.fail("name", "the camera's name is that of a file beside the cameras' folders");
   return name;
 }
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "cli/coverage_table.h"
+
 namespace sightline {
 
 namespace {
@@ -24,9 +26,9 @@ std::string scene_line(const Report& report) {
 }
 
 std::string table_head() {
-  return fmt::format("{:16} {:>8} {:>8} {:>8} {:>8} {:>11} {:>6} {:>8}\n", "", "faces", "", "out of", "back-", "area",
+  return fmt::format("{:16} {:>7} {:>8} {:>8} {:>8} {:>11} {:>7} {:>8}\n", "", "faces", "", "out of", "back-", "area",
                      "window", "time") +
-         fmt::format("{:16} {:>8} {:>8} {:>8} {:>8} {:>11} {:>6} {:>8}\n", "camera", "visible", "hidden", "view",
+         fmt::format("{:16} {:>7} {:>8} {:>8} {:>8} {:>11} {:>7} {:>8}\n", "camera", "visible", "hidden", "view",
                      "facing", "visible", "filled", "s");
 }
 
@@ -35,7 +37,7 @@ std::string camera_line(const Report& report) {
   const Report& faces = report["counts"]["faces"];
   const auto count = [&](const char* label) { return faces[label].get<std::size_t>(); };
   const double filled = 100 * (1 - report["areas"]["image_uncovered"].get<double>() / 4);
-  return fmt::format("{:16} {:>8} {:>8} {:>8} {:>8} {:>11.6g} {:>4.1f} % {:>8.3f}\n",
+  return fmt::format("{:16} {:>7} {:>8} {:>8} {:>8} {:>11.6g} {:>5.1f} % {:>8.3f}\n",
                      shortened(report["camera"]["name"].get<std::string>()), count("visible"), count("hidden"),
                      count("out_of_view"), count("back_facing"), report["areas"]["visible"].get<double>(), filled,
                      report["times_s"]["total"].get<double>());
@@ -57,6 +59,18 @@ std::string panel_lines(const std::vector<Report>& reports) {
   return text;
 }
 
+// What the cameras see together, where that is more to say than a camera's own line.
+std::string coverage_lines(const Coverage& coverage) {
+  if (coverage.cameras.size() < 2) return "";
+  const auto line = [&](const char* what, double area) {
+    return fmt::format("{:33} {:>16.6g} {:>14.2f} %\n", what, area, 100 * share_of(area, coverage.area));
+  };
+  std::string text = fmt::format("\n{:33} {:>16} {:>16}\n", "all cameras together", "area", "of the surface");
+  text += line("visible in one or more", coverage.together.visible);
+  if (!coverage.together.panels.empty()) text += line("reflecting a panel in one or more", coverage.together.any_panel);
+  return text;
+}
+
 std::string warnings_line(const std::vector<Report>& reports) {
   std::size_t count = 0;
   for (const Report& report : reports) count += report["warnings"].size();
@@ -66,16 +80,18 @@ std::string warnings_line(const std::vector<Report>& reports) {
 
 }  // namespace
 
-std::string summary(const std::vector<Report>& reports, const std::string& output) {
+std::string summary(const std::vector<Report>& reports, const Coverage& coverage, const std::string& output) {
   std::string text = scene_line(reports.front()) + table_head();
   for (const Report& report : reports) text += camera_line(report);
   text += panel_lines(reports);
+  text += coverage_lines(coverage);
   text += warnings_line(reports);
   const std::string first = reports.front()["camera"]["name"].get<std::string>();
   text += fmt::format("\nOne folder per camera in {}\n", output);
   text += "  view.svg       the visible polygons as the camera sees them\n";
   text += "  labelled.ply   the refined surface with labels (also labelled.obj)\n";
   text += "  faces.csv      how much of each face is seen (also segments.csv, report.json)\n";
+  text += "Beside them: coverage.csv, how much cameras and panels cover together\n";
   text += fmt::format("Start with {}/{}/view.svg\n", output, first);
   return text;
 }

@@ -5,10 +5,12 @@
 #include <vector>
 
 #include "cli/report.h"
+#include "reflect/coverage.h"
 
 namespace sightline {
 
-// reports: of the cameras of one scene, at least one. output: the folder of the results.
-[[nodiscard]] std::string summary(const std::vector<Report>& reports, const std::string& output);
+// reports: of the cameras of one scene, at least one; coverage: of the same. output: the folder of the results.
+[[nodiscard]] std::string summary(const std::vector<Report>& reports, const Coverage& coverage,
+                                  const std::string& output);
 
 }  // namespace sightline

@@ -49,13 +49,15 @@ std::vector<std::string> mesh_arguments(const std::string& mesh) {
 
 }  // namespace
 
-TEST_CASE("a scene gives one folder per camera with all files, a summary of 80 columns, and no error output") {
+TEST_CASE(
+    "a scene gives one folder per camera with all files and one file beside them, a summary of 80 columns, and no "
+    "error output") {
   const TemporaryFolder folder;
   const std::string out = (folder.path() / "deep" / "out").string();
   const RunResult run = run_sightline({"analyze", fang_scene, "-o", out});
   CHECK(run.exit_code == 0);
   CHECK(run.err.empty());
-  CHECK(names_in(out) == std::set<std::string>{"page"});
+  CHECK(names_in(out) == std::set<std::string>{"page", "coverage.csv"});
   CHECK(names_in(out + "/page") == as_set(result_files));
   CHECK(run.out.find("page/view.svg") != std::string::npos);
   for (const std::string& line : lines_of(run.out)) {
@@ -106,8 +108,9 @@ TEST_CASE("two runs give the same bytes, except for times and memory") {
   const std::string demo = SIGHTLINE_FIXTURES_DIR "/demo/scene.toml";
   REQUIRE(run_sightline({"analyze", demo, "-o", first.path().string()}).exit_code == 0);
   REQUIRE(run_sightline({"analyze", demo, "-o", second.path().string()}).exit_code == 0);
-  CHECK(names_in(first.path()) == std::set<std::string>{"close-up", "front", "sun"});
-  for (const std::string& camera : names_in(first.path())) {
+  CHECK(names_in(first.path()) == std::set<std::string>{"close-up", "coverage.csv", "front", "sun"});
+  CHECK(read_text(first.path() / "coverage.csv") == read_text(second.path() / "coverage.csv"));
+  for (const char* camera : {"close-up", "front", "sun"}) {
     for (const std::string& file : result_files) {
       INFO(camera << "/" << file);
       const std::string a = read_text(first.path() / camera / file);
@@ -127,7 +130,7 @@ TEST_CASE("results replace older ones and leave other files alone") {
   CHECK(run_sightline({"analyze", fang_scene, "-o", folder.path().string()}).exit_code == 0);
   CHECK(read_text(other) == "mine");
   CHECK(read_text(folder.path() / "page" / "faces.csv") != "old");
-  CHECK(names_in(folder.path()) == std::set<std::string>{"page"});
+  CHECK(names_in(folder.path()) == std::set<std::string>{"coverage.csv", "page"});
 }
 
 TEST_CASE("wrong input ends with exit code 1 and one line that says where") {

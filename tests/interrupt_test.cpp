@@ -35,7 +35,7 @@ struct TakingTurns {
       if (i == 1) folder.file("results/near/notes.txt", "mine");
       expected[i] = snapshot_of(results);
     }
-    REQUIRE(expected[0].size() == 19);
+    REQUIRE(expected[0].size() == 20);
     REQUIRE(expected[0] != expected[1]);
   }
 
@@ -67,15 +67,16 @@ Outcome killed_run(const TakingTurns& turns, int signal, bool while_writing, dou
   return command.wait();
 }
 
-bool every_folder_is_old_or_new(const Snapshot& seen, const Snapshot& a, const Snapshot& b) {
+// Of the folders, and the file beside them.
+bool every_one_is_old_or_new(const Snapshot& seen, const Snapshot& a, const Snapshot& b) {
   const auto part = [](const Snapshot& all, const std::string& name) {
     Snapshot result;
     for (const auto& [path, text] : all) {
-      if (path.starts_with(name + "/")) result[path] = text;
+      if (path.starts_with(name)) result[path] = text;
     }
     return result;
   };
-  for (const char* name : {"near", "far", "sun"}) {
+  for (const char* name : {"near/", "far/", "sun/", "coverage.csv"}) {
     if (part(seen, name) != part(a, name) && part(seen, name) != part(b, name)) return false;
   }
   return seen.size() == a.size();
@@ -92,7 +93,7 @@ void kill_once(TakingTurns& turns, int signal, bool while_writing, double moment
   const bool is_old = seen == turns.old_result();
   if (outcome.exit_code == 0) CHECK(is_new);
   if (signal == SIGKILL) {
-    CHECK(every_folder_is_old_or_new(seen, turns.old_result(), turns.new_result()));
+    CHECK(every_one_is_old_or_new(seen, turns.old_result(), turns.new_result()));
     tally.left_over += leftovers_in(turns.results) > 0 ? 1 : 0;
   } else {
     CHECK((is_new || is_old));
@@ -132,7 +133,8 @@ TEST_CASE("SIGINT and SIGTERM at any moment leave the old result or the new one,
   CHECK(leftovers_in(turns.results) == 0);
 }
 
-TEST_CASE("SIGKILL at any moment leaves every folder old or new, and the next run cleans up") {
+TEST_CASE(
+    "SIGKILL at any moment leaves every folder, and the file beside them, old or new, and the next run cleans up") {
   TakingTurns turns;
   CHECK(kill_often(turns, SIGKILL).left_over > 0);
 }
