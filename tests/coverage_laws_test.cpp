@@ -1,8 +1,10 @@
 // Coverage on random scenes: its laws, and random points of the surface.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
+#include <span>
 
 #include "geometry/area.h"
 #include "geometry/box_hierarchy.h"
@@ -148,7 +150,7 @@ void check_against_sweeps(const Coverage& coverage, const SeenScene& scene) {
   }
 }
 
-// Seen along the axis in which the triangle is seen largest; 1 where p is in it.
+// Whether p, in the triangle's plane but for rounding, is in it; the triangle may have either orientation.
 bool is_in(const SpaceTriangle& t, const Point3& p) {
   const Vector3 normal = cross(t[1] - t[0], t[2] - t[0]);
   for (std::size_t i = 0; i < 3; ++i) {
