@@ -88,17 +88,20 @@ class SurfaceCover {
 };
 
 // area(selection): of a surface. Adds what it has of each kind, and returns the areas visible and reflecting. Where the
-// sweeps of two selections round differently, what has more keeps more.
+// sweeps of two selections round differently, what has more keeps more, and no union exceeds the sum.
 template <class Area>
 std::array<double, 2> add_areas(CoveredAreas& sums, std::uint64_t panels, Area area) {
-  double reflecting = 0;
+  double largest = 0;
+  double sum = 0;
   for (std::size_t p = 0; p < sums.panels.size(); ++p) {
     if ((panels >> p & 1U) == 0) continue;
     const double mirrors_panel = area(Selection{false, std::uint64_t{1} << p});
     sums.panels[p] += mirrors_panel;
-    reflecting = std::max(reflecting, mirrors_panel);
+    largest = std::max(largest, mirrors_panel);
+    sum += mirrors_panel;
   }
-  if (std::popcount(panels) > 1) reflecting = std::max(reflecting, area(Selection{false, panels}));
+  const bool is_known = std::popcount(panels) < 2;
+  const double reflecting = is_known ? largest : std::clamp(area(Selection{false, panels}), largest, sum);
   const double visible = std::max(reflecting, area(visible_part));
   sums.any_panel += reflecting;
   sums.visible += visible;
