@@ -187,14 +187,18 @@ void shoot(const SeenScene& scene, Random& random, Hits& hits) {
     const auto triangles = triangles_on(scene, s, false);
     if (triangles.empty()) continue;
     const double share = union_share(mesh, s, triangles).share;
-    constexpr int points = 200;
+    constexpr int points = 1000;
+    double found = 0;
     for (int i = 0; i < points; ++i) {
       const Point3 p = random_point(mesh, s, random);
-      hits.found += std::ranges::any_of(triangles, [&](const SpaceTriangle& t) { return is_in(t, p); }) ? 1 : 0;
+      found += std::ranges::any_of(triangles, [&](const SpaceTriangle& t) { return is_in(t, p); }) ? 1 : 0;
     }
+    const double variance = points * std::max(0.0, share * (1 - share));
+    CHECK(std::fabs(found - points * share) <= 6 * std::sqrt(variance) + 6);
     hits.points += points;
+    hits.found += found;
     hits.expected += points * share;
-    hits.variance += points * std::max(0.0, share * (1 - share));
+    hits.variance += variance;
   }
 }
 
