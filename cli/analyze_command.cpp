@@ -26,7 +26,7 @@ namespace {
 Scene scene_of(const AnalyzeOptions& options) {
   Scene scene = options.input_is_scene()
                     ? read_scene_file(options.input)
-                    : Scene{options.input, options.input, SidesPolicy::automatic, {*options.camera}, {}};
+                    : Scene{options.input, options.input, SidesPolicy::automatic, {*options.camera}, {}, {}};
   scene.sides = options.sides.value_or(scene.sides);
   return scene;
 }
@@ -98,10 +98,12 @@ std::string standard_output(const std::vector<Report>& reports, const std::optio
 std::string analyzed(const AnalyzeOptions& options) {
   Progress progress(!options.quiet && Progress::watched());
   const Scene scene = scene_of(options);
-  const MeshInput input = read_mesh(scene.mesh_file, options.max_memory, progress);
+  const bool needs_normals = !scene.panels.empty() && scene.reflection.needs_vertex_normals();
+  const MeshInput input =
+      read_mesh(scene.mesh_file, needs_normals ? Normals::read : Normals::passed_over, options.max_memory, progress);
   std::optional<Output> output;
   if (options.output) output.emplace(*options.output);
-  const MirrorWorld world = make_mirror_world(input.mesh, scene.panels);
+  const MirrorWorld world = make_mirror_world(input.mesh, scene.panels, scene.reflection, input.corner_normals);
   std::vector<Report> reports;
   for (const Camera& camera : scene.cameras) {
     reports.push_back(

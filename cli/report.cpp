@@ -1,9 +1,11 @@
 #include "cli/report.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "cli/report_warnings.h"
 #include "cli/resources.h"
+#include "cli/window_points.h"
 
 namespace sightline {
 
@@ -100,27 +102,63 @@ Report areas_part(const View& view, const std::vector<FaceMeasures>& faces) {
           {"image_uncovered", uncovered_area(view.polygons)}};
 }
 
-// area: on the surface; image_area: of its polygons above resolution.
+// Twice the area of a triangle in the window.
+double twice_window_area(const Camera& camera, const LabelledMesh& labelled, const LabelledTriangle& t) {
+  const auto place = [&](std::size_t i) { return window_place(camera, labelled.vertices[t.corners[i].index()]); };
+  const Point2 a = place(0);
+  const Point2 b = place(1);
+  const Point2 c = place(2);
+  return std::fabs((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
+}
+
+// What reflects a panel, in the image: polygons above resolution, or triangles.
+Report in_image(const View& view, std::size_t panel) {
+  double area = 0;
+  if (view.reflections.mode == ReflectionMode::triangles) {
+    std::size_t count = 0;
+    for (const LabelledTriangle& t : view.labelled.triangles) {
+      if ((t.reflecting >> panel & 1U) == 0) continue;
+      ++count;
+      area += twice_window_area(view.scene.camera, view.labelled, t) / 2;
+    }
+    return {{"image_area", area}, {"triangles", count}};
+  }
+  const VisiblePolygons& polygons = view.reflections.panels[panel].polygons;
+  for (const VisiblePolygon& polygon : polygons.polygons) area += polygon.below_resolution ? 0 : polygon.area;
+  return {{"image_area", area}, {"polygons", polygons.polygons.size()}};
+}
+
+// What the mode was asked for, and how far it came.
+Report mode_part(const ReflectionOptions& options, const ReflectionStatistics& statistics) {
+  Report part = {{"mode", to_string(options.mode)}};
+  if (options.mode == ReflectionMode::triangles) part["normals"] = to_string(options.normals);
+  if (options.mode == ReflectionMode::smooth) {
+    const double looked = statistics.looked_area;
+    part["tolerance"] = options.tolerance;
+    part["reached"] = looked > 0 ? statistics.changed_area / looked : 0.0;
+  }
+  return part;
+}
+
+// area: on the surface.
 Report reflections_part(const Scene& scene, const View& view, const std::vector<FaceMeasures>& faces) {
   const Reflections& reflections = view.reflections;
   Report panels = Report::array();
   for (std::size_t p = 0; p < reflections.panels.size(); ++p) {
     double area = 0;
     for (const FaceMeasures& face : faces) area += face.reflecting_area[p];
-    double image_area = 0;
-    for (const VisiblePolygon& polygon : reflections.panels[p].polygons.polygons)
-      image_area += polygon.below_resolution ? 0 : polygon.area;
-    panels.push_back({{"name", scene.panels[p].name},
-                      {"emits", scene.panels[p].emits == Emits::front ? "front" : "both"},
-                      {"area", area},
-                      {"image_area", image_area},
-                      {"polygons", reflections.panels[p].polygons.polygons.size()}});
+    Report panel = {{"name", scene.panels[p].name},
+                    {"emits", scene.panels[p].emits == Emits::front ? "front" : "both"},
+                    {"area", area}};
+    panel.update(in_image(view, p));
+    panels.push_back(std::move(panel));
   }
-  return {{"mode", "exact"},
-          {"panels", panels},
-          {"pyramids", reflections.statistics.pyramids},
-          {"obstacles", reflections.statistics.obstacles},
-          {"blocked", reflections.statistics.blocked}};
+  Report part = mode_part(scene.reflection, reflections.statistics);
+  part.update({{"panels", panels},
+               {"pyramids", reflections.statistics.pyramids},
+               {"obstacles", reflections.statistics.obstacles},
+               {"blocked", reflections.statistics.blocked}});
+  return part;
 }
 
 Report below_resolution_part(const VisiblePolygons& polygons) {

@@ -7,6 +7,7 @@
 #include "geometry/camera.h"
 #include "geometry/culling.h"
 #include "reflect/panel.h"
+#include "reflect/reflection_options.h"
 
 namespace sightline {
 
@@ -16,6 +17,7 @@ struct Scene {
   SidesPolicy sides = SidesPolicy::automatic;
   std::vector<Camera> cameras;  // at least one; names are distinct and safe folder names
   std::vector<Panel> panels;    // names are distinct, and one word each
+  ReflectionOptions reflection;
 };
 
 }  // namespace sightline

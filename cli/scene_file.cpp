@@ -114,16 +114,46 @@ std::vector<Panel> read_panels(const toml::table& root, const std::string& path)
                    fmt::format("more than {} panels", most_panels));
 }
 
-// Exact is the default, and so far the only mode.
-void check_reflection_mode(const toml::table& root, const std::string& path) {
+ReflectionMode read_mode(const TomlReader& table) {
+  if (!table.has("mode")) return ReflectionMode::exact;
+  const std::string word = table.text("mode");
+  for (const ReflectionMode mode : {ReflectionMode::exact, ReflectionMode::triangles, ReflectionMode::smooth}) {
+    if (word == to_string(mode)) return mode;
+  }
+  table.fail("mode", "'mode' must be \"exact\", \"triangles\" or \"smooth\"");
+}
+
+MirrorNormals read_normals(const TomlReader& table) {
+  const std::string word = table.text("normals");
+  for (const MirrorNormals normals : {MirrorNormals::face, MirrorNormals::vertex}) {
+    if (word == to_string(normals)) return normals;
+  }
+  table.fail("normals", "'normals' must be \"face\" or \"vertex\"");
+}
+
+double read_tolerance(const TomlReader& table) {
+  const double tolerance = table.number("tolerance");
+  if (!(tolerance > 0 && tolerance < 1)) table.fail("tolerance", "'tolerance' must be between 0 and 1");
+  return tolerance;
+}
+
+ReflectionOptions read_reflection(const toml::table& root, const std::string& path) {
+  ReflectionOptions options;
   const toml::node* node = root.get("reflection");
-  if (node == nullptr) return;
+  if (node == nullptr) return options;
   const std::size_t line = node->source().begin.line;
   if (!node->is_table()) throw InputError(path, line, "'reflection' must be a table: [reflection]");
   const TomlReader table{*node->as_table(), path, "[reflection]", line};
-  table.allow_only({"mode"});
-  if (table.has("mode") && table.text("mode") != "exact")
-    table.fail("mode", "'mode' must be \"exact\", so far the only one");
+  table.allow_only({"mode", "normals", "tolerance"});
+  options.mode = read_mode(table);
+  const auto only_for = [&](const char* key, ReflectionMode mode) {
+    if (!table.has(key)) return false;
+    if (options.mode != mode) table.fail(key, fmt::format("'{}' is for mode \"{}\" only", key, to_string(mode)));
+    return true;
+  };
+  if (only_for("normals", ReflectionMode::triangles)) options.normals = read_normals(table);
+  if (only_for("tolerance", ReflectionMode::smooth)) options.tolerance = read_tolerance(table);
+  return options;
 }
 
 }  // namespace
@@ -138,7 +168,6 @@ std::optional<SidesPolicy> sides_policy(std::string_view word) {
 Scene parse_scene(std::string_view text, const std::string& path) {
   const toml::table root = parsed(text, path);
   TomlReader(root, path, "the scene file", 0).allow_only({"mesh", "camera", "panel", "reflection"});
-  check_reflection_mode(root, path);
   const TomlReader mesh = mesh_table(root, path);
   mesh.allow_only({"file", "sides"});
   Scene scene;
@@ -147,6 +176,7 @@ Scene parse_scene(std::string_view text, const std::string& path) {
   scene.sides = read_sides(mesh);
   scene.cameras = read_cameras(root, path);
   scene.panels = read_panels(root, path);
+  scene.reflection = read_reflection(root, path);
   return scene;
 }
 

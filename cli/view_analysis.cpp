@@ -26,12 +26,13 @@ VisibleSegments watched_sweep(const Mesh& mesh, const ProjectedScene& scene, Pro
 
 }  // namespace
 
-MeshInput read_mesh(const std::string& file, std::uint64_t max_memory, Progress& progress) {
+MeshInput read_mesh(const std::string& file, Normals normals, std::uint64_t max_memory, Progress& progress) {
   MeshInput input;
   input.max_memory = max_memory;
   progress.stage("read " + file);
-  ObjFile obj = timed(input.read_seconds, [&] { return read_obj(std::filesystem::path(file), {max_memory}); });
+  ObjFile obj = timed(input.read_seconds, [&] { return read_obj(std::filesystem::path(file), {max_memory}, normals); });
   input.mesh = std::move(obj.mesh);
+  input.corner_normals = std::move(obj.corner_normals);
   input.warnings = std::move(obj.warnings);
   progress.stage("look for faces that pass through each other");
   input.contacts = timed(input.contacts_seconds, [&] { return find_contacts(input.mesh); });
@@ -54,7 +55,8 @@ ViewAnalysis analyze_view(const MeshInput& input, const MirrorWorld& world, cons
   view.segments = timed(seconds.sweep, [&] { return watched_sweep(mesh, view.scene, progress); });
   progress.stage(camera.name + ": reconstruct the visible polygons");
   view.polygons = timed(seconds.reconstruct, [&] { return reconstruct_polygons(mesh, view.scene, view.segments); });
-  if (!world.panels.empty()) {
+  const bool marks_triangles = world.options.mode == ReflectionMode::triangles;
+  if (!world.panels.empty() && !marks_triangles) {
     progress.stage(camera.name + ": reflect the panels");
     ReflectedView reflected =
         timed(seconds.reflect, [&] { return reflect(world, view.scene, view.segments, view.polygons); });
@@ -66,6 +68,10 @@ ViewAnalysis analyze_view(const MeshInput& input, const MirrorWorld& world, cons
   view.labelled = timed(seconds.label, [&] {
     return label_mesh(mesh, view.scene, view.segments, view.polygons, panel_borders(view.reflections));
   });
+  if (!world.panels.empty() && marks_triangles) {
+    progress.stage(camera.name + ": reflect the panels");
+    view.reflections = timed(seconds.reflect, [&] { return reflecting_triangles(world, camera, view.labelled); });
+  }
   return analysis;
 }
 

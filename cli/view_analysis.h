@@ -7,23 +7,26 @@
 
 #include "cli/progress.h"
 #include "geometry/interpenetration.h"
+#include "geometry/obj_statements.h"
 #include "sightline/analyze.h"
 
 namespace sightline {
 
 // What all cameras of a scene share.
 struct MeshInput {
-  Mesh mesh;                          // cut along the common lines of its facets
-  std::vector<std::string> warnings;  // of the reader
-  MeshContacts contacts;              // before it was cut
-  std::uint64_t max_memory = 0;       // in bytes
+  Mesh mesh;                            // cut along the common lines of its facets
+  std::vector<Vector3> corner_normals;  // where they were asked for: see ObjFile
+  std::vector<std::string> warnings;    // of the reader
+  MeshContacts contacts;                // before it was cut
+  std::uint64_t max_memory = 0;         // in bytes
   double read_seconds = 0;
   double contacts_seconds = 0;
   double cut_seconds = 0;
 };
 
 // Errors: InputError (see read_obj).
-[[nodiscard]] MeshInput read_mesh(const std::string& file, std::uint64_t max_memory, Progress& progress);
+[[nodiscard]] MeshInput read_mesh(const std::string& file, Normals normals, std::uint64_t max_memory,
+                                  Progress& progress);
 
 struct StageSeconds {
   double sides = 0;

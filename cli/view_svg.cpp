@@ -8,6 +8,7 @@
 
 #include "cli/face_shade.h"
 #include "cli/text_buffer.h"
+#include "cli/window_points.h"
 
 namespace sightline {
 
@@ -103,18 +104,50 @@ void for_each_polygon(const VisiblePolygons& polygons, Visit visit) {
 // Light on a blue surface: told apart from it, and from each other, by brightness too.
 constexpr std::array<std::string_view, 4> panel_colours{"#ffd54a", "#ff8f3f", "#fff6c8", "#f25f5c"};
 
-void write_panel(const PanelReflection& reflection, const std::string& name, std::size_t number,
-                 const std::vector<Point2>& places, TextBuffer& out) {
-  const std::string_view colour = panel_colours[number % panel_colours.size()];
-  const std::string panel = escaped(name);
-  out << "<g class=\"reflecting\" data-panel=\"" << panel << "\" fill=\"" << colour << "\" stroke=\"#7a5b00\">\n";
+// The names of a face's parts count from 1, and the first has no number.
+void write_reflecting_name(const std::string& panel, FaceId face, std::size_t occurrence, TextBuffer& out) {
+  out << "<path id=\"reflecting-" << panel << '-' << face.value;
+  if (occurrence > 1) out << '-' << std::uint64_t{occurrence};
+  out << "\" data-face=\"" << face.value << "\" d=\"";
+}
+
+void write_reflecting_polygons(const PanelReflection& reflection, const std::string& panel,
+                               const std::vector<Point2>& places, TextBuffer& out) {
   for_each_polygon(reflection.polygons, [&](const VisiblePolygon& polygon, std::size_t occurrence) {
-    out << "<path id=\"reflecting-" << panel << '-' << polygon.face.value;
-    if (occurrence > 1) out << '-' << std::uint64_t{occurrence};
-    out << "\" data-face=\"" << polygon.face.value << "\" d=\"";
+    write_reflecting_name(panel, polygon.face, occurrence, out);
     write_rings(reflection.segments, reflection.polygons, polygon, places, out);
     out << "\"/>\n";
   });
+}
+
+void write_reflecting_triangles(const View& view, std::size_t number, const std::string& panel, TextBuffer& out) {
+  FaceId last;
+  std::size_t occurrence = 0;
+  for (const LabelledTriangle& triangle : view.labelled.triangles) {
+    if ((triangle.reflecting >> number & 1U) == 0) continue;
+    occurrence = triangle.face == last ? occurrence + 1 : 1;
+    last = triangle.face;
+    write_reflecting_name(panel, triangle.face, occurrence, out);
+    char command = 'M';
+    for (const VertexId v : triangle.corners) {
+      const Point2 place = window_place(view.scene.camera, view.labelled.vertices[v.index()]);
+      out << command << place.x << ' ' << place.y;
+      command = 'L';
+    }
+    out << "Z\"/>\n";
+  }
+}
+
+void write_panel(const View& view, const std::string& name, std::size_t number, const std::vector<Point2>& places,
+                 TextBuffer& out) {
+  const std::string_view colour = panel_colours[number % panel_colours.size()];
+  const std::string panel = escaped(name);
+  out << "<g class=\"reflecting\" data-panel=\"" << panel << "\" fill=\"" << colour << "\" stroke=\"#7a5b00\">\n";
+  if (view.reflections.mode == ReflectionMode::triangles) {
+    write_reflecting_triangles(view, number, panel, out);
+  } else {
+    write_reflecting_polygons(view.reflections.panels[number], panel, places, out);
+  }
   out << "</g>\n";
 }
 
@@ -127,7 +160,7 @@ std::string view_svg(const Mesh& mesh, const View& view, const std::vector<Point
   for_each_polygon(view.polygons, [&](const VisiblePolygon& polygon, std::size_t occurrence) {
     write_polygon(mesh, view, polygon, occurrence, places, out);
   });
-  for (std::size_t p = 0; p < panels.size(); ++p) write_panel(view.reflections.panels[p], panels[p], p, places, out);
+  for (std::size_t p = 0; p < panels.size(); ++p) write_panel(view, panels[p], p, places, out);
   out << "</g>\n</svg>\n";
   return out.take();
 }

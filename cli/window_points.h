@@ -11,4 +11,7 @@ namespace sightline {
 
 [[nodiscard]] std::vector<Point2> window_points(const View& view);
 
+// Of a point that the camera sees, in floating point.
+[[nodiscard]] Point2 window_place(const Camera& camera, const Point3& p);
+
 }  // namespace sightline

@@ -51,6 +51,26 @@ struct BoxHierarchy {
 
 [[nodiscard]] BoxHierarchy build_hierarchy(std::span<const Box> boxes);
 
+// Calls visit(item) for the items whose boxes, and those of the nodes above them, are not excluded by may_touch(box).
+template <class MayTouch, class Visit>
+void for_each_touched_item(const BoxHierarchy& hierarchy, MayTouch may_touch, Visit visit) {
+  std::vector<std::uint32_t> open;
+  if (!hierarchy.nodes.empty()) open.push_back(0);
+  while (!open.empty()) {
+    const std::uint32_t n = open.back();
+    open.pop_back();
+    const BoxHierarchy::Node& node = hierarchy.nodes[n];
+    if (!may_touch(node.box)) continue;
+    if (node.right != 0) {
+      open.insert(open.end(), {node.right, n + 1});
+      continue;
+    }
+    for (std::uint32_t i = node.first; i < node.end; ++i) {
+      if (may_touch(hierarchy.items[i].box)) visit(hierarchy.items[i]);
+    }
+  }
+}
+
 namespace detail {
 
 // Simultaneous descent: both nodes' items against each other, or one node's items among themselves.

@@ -1,7 +1,7 @@
 // Wavefront OBJ: the vertices and faces of a file, as a mesh.
 //
-// In:  the statements `v x y z` and `f v[/[vt][/[vn]]] ...`; everything else is passed over, and no other file is ever
-//      opened (mtllib, call).
+// In:  the statements `v x y z` and `f v[/[vt][/[vn]]] ...`, and `vn x y z` where normals are asked for; everything else
+//      is passed over, and no other file is ever opened (mtllib, call).
 // Out: the mesh, with every coordinate the correctly rounded double of what the file says, and one line for each kind
 //      of thing that was skipped or mended (ids are face indices from 0).
 //
@@ -13,7 +13,8 @@
 //
 // What is skipped, counted and listed in a warning: faces with a Defect (see mesh.h); statements with a keyword that is
 // none, or that describes geometry not read here (curves, surfaces, call, fo), so also binary or NUL bytes outside v
-// and f. Texture and normal indices must be integers; one that names nothing is a warning: only positions matter.
+// and f. Texture and normal indices must be integers; one that names nothing (above its face) is a warning. Only where
+// normals are asked for does it matter what a `vn` says: then its numbers are read like those of `v`.
 //
 // Chosen where readers differ:
 //   - A positive index may name a vertex that follows further down (it means the same wherever the face stands). A
@@ -45,12 +46,15 @@ namespace sightline {
 
 struct ObjFile {
   Mesh mesh;
-  std::vector<std::string> warnings;  // "FILE: what", one line each
+  std::vector<Vector3> corner_normals;  // where asked for: parallel to mesh.faces.corners, zero where none is given
+  std::vector<std::string> warnings;    // "FILE: what", one line each
 };
 
-[[nodiscard]] ObjFile read_obj(const std::filesystem::path& file, const ReadLimits& limits = {});
+[[nodiscard]] ObjFile read_obj(const std::filesystem::path& file, const ReadLimits& limits = {},
+                               Normals normals = Normals::passed_over);
 
 // The same from text in memory; file_name is for messages.
-[[nodiscard]] ObjFile read_obj(std::string_view text, const std::string& file_name, const ReadLimits& limits = {});
+[[nodiscard]] ObjFile read_obj(std::string_view text, const std::string& file_name, const ReadLimits& limits = {},
+                               Normals normals = Normals::passed_over);
 
 }  // namespace sightline

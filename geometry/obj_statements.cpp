@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 
 #include "geometry/errors.h"
@@ -19,8 +20,8 @@ constexpr std::array passed_over{"vt",  "vn",       "vp",       "p",          "l
 
 class StatementParser {
  public:
-  StatementParser(ObjScanner& scanner, const std::string& file_name, const ReadLimits& limits)
-      : scanner_(scanner), file_name_(file_name), limits_(limits) {}
+  StatementParser(ObjScanner& scanner, const std::string& file_name, const ReadLimits& limits, Normals normals)
+      : scanner_(scanner), file_name_(file_name), limits_(limits), reads_normals_(normals == Normals::read) {}
 
   ObjStatements parse();
 
@@ -35,12 +36,19 @@ class StatementParser {
   [[noreturn]] void fail(const std::string& cause) const { throw InputError(file_name_, scanner_.line(), cause); }
   void parse_statement(std::string_view keyword);
   void parse_vertex();
-  double next_coordinate();
+  void parse_normal();
+  Vector3 next_coordinates(const char* needed);
+  double next_coordinate(const char* needed);
   void parse_face();
   VertexId parse_corner(std::string_view token);
   VertexId resolve(std::int64_t index, std::string_view token);
-  bool names_attribute(std::string_view token, std::size_t count, std::string_view index_text) const;
-  void check_attributes(std::string_view token, std::string_view attributes);
+  // The attribute, counted from 0, that an optional index into `count` of them names; nothing where the index is empty.
+  struct Attribute {
+    bool missing = false;  // the index names nothing
+    std::optional<std::size_t> number;
+  };
+  Attribute attribute(std::string_view token, std::size_t count, std::string_view index_text) const;
+  Vector3 parse_attributes(std::string_view token, std::string_view attributes);
   void note_unknown(std::string_view keyword);
   void check_forward_references() const;
   void check_memory() const;
@@ -48,12 +56,14 @@ class StatementParser {
   ObjScanner& scanner_;
   const std::string& file_name_;
   const ReadLimits limits_;
+  const bool reads_normals_;
   ObjStatements result_;
   std::vector<VertexId> corners_;
   std::vector<ForwardReference> forward_;
   std::size_t known_count_ = 0;
   std::size_t texture_count_ = 0;
   std::size_t normal_count_ = 0;
+  std::vector<Vector3> normals_;
   bool attributes_missing_ = false;
 };
 
@@ -75,7 +85,7 @@ void StatementParser::parse_statement(std::string_view keyword) {
   if (keyword == "v") return parse_vertex();
   if (keyword == "f") return parse_face();
   if (keyword == "vt") ++texture_count_;
-  if (keyword == "vn") ++normal_count_;
+  if (keyword == "vn") return parse_normal();
   if (std::ranges::find(passed_over, keyword) != passed_over.end()) return;
   --known_count_;
   note_unknown(keyword);
@@ -87,9 +97,9 @@ void StatementParser::note_unknown(std::string_view keyword) {
   result_.unknown_keyword = quoted(keyword);
 }
 
-double StatementParser::next_coordinate() {
+double StatementParser::next_coordinate(const char* needed) {
   const std::string_view token = scanner_.next_token();
-  if (token.empty()) fail("a vertex needs three coordinates");
+  if (token.empty()) fail(needed);
   try {
     return parse_coordinate(token);
   } catch (const std::invalid_argument& error) {
@@ -97,12 +107,22 @@ double StatementParser::next_coordinate() {
   }
 }
 
+Vector3 StatementParser::next_coordinates(const char* needed) {
+  const double x = next_coordinate(needed);
+  const double y = next_coordinate(needed);
+  const double z = next_coordinate(needed);
+  return {x, y, z};
+}
+
 void StatementParser::parse_vertex() {
   if (result_.vertices.size() == std::numeric_limits<std::uint32_t>::max()) fail("more than 4294967295 vertices");
-  const double x = next_coordinate();
-  const double y = next_coordinate();
-  const double z = next_coordinate();
-  result_.vertices.push_back({x, y, z});
+  result_.vertices.push_back(next_coordinates("a vertex needs three coordinates"));
+}
+
+// Where nobody asks for normals, whatever a file says of them is no reason to refuse it.
+void StatementParser::parse_normal() {
+  ++normal_count_;
+  if (reads_normals_) normals_.push_back(next_coordinates("a normal needs three coordinates"));
 }
 
 void StatementParser::parse_face() {
@@ -123,7 +143,8 @@ VertexId StatementParser::parse_corner(std::string_view token) {
   const std::size_t slash = std::min(token.find('/'), token.size());
   const auto index = parse_integer(token.substr(0, slash));
   if (!index) fail("corner " + quoted(token) + " has no vertex index");
-  if (slash < token.size()) check_attributes(token, token.substr(slash + 1));
+  const Vector3 normal = slash < token.size() ? parse_attributes(token, token.substr(slash + 1)) : Vector3{};
+  if (reads_normals_) result_.corner_normals.push_back(normal);
   return resolve(*index, token);
 }
 
@@ -137,24 +158,31 @@ VertexId StatementParser::resolve(std::int64_t index, std::string_view token) {
   return VertexId(static_cast<std::size_t>(index < 0 ? count + index : index - 1));
 }
 
-// Whether an optional index into `count` attributes names one; an empty one is no index.
-bool StatementParser::names_attribute(std::string_view token, std::size_t count, std::string_view index_text) const {
-  if (index_text.empty()) return true;
+StatementParser::Attribute StatementParser::attribute(std::string_view token, std::size_t count,
+                                                      std::string_view index_text) const {
+  if (index_text.empty()) return {};
   const auto index = parse_integer(index_text);
   if (!index) fail("corner " + quoted(token) + " has an index that is no integer");
-  return *index != 0 && *index <= static_cast<std::int64_t>(count) && *index >= -static_cast<std::int64_t>(count);
+  const auto end = static_cast<std::int64_t>(count);
+  if (*index == 0 || *index > end || *index < -end) return {true, {}};
+  return {false, static_cast<std::size_t>(*index > 0 ? *index - 1 : end + *index)};
 }
 
-void StatementParser::check_attributes(std::string_view token, std::string_view attributes) {
+// Of VT or VT/VN. The normal, where it is given and asked for, else zero.
+Vector3 StatementParser::parse_attributes(std::string_view token, std::string_view attributes) {
   const std::size_t slash = std::min(attributes.find('/'), attributes.size());
-  const bool texture = names_attribute(token, texture_count_, attributes.substr(0, slash));
-  const bool normal = slash == attributes.size() || names_attribute(token, normal_count_, attributes.substr(slash + 1));
-  attributes_missing_ = attributes_missing_ || !texture || !normal;
+  const Attribute texture = attribute(token, texture_count_, attributes.substr(0, slash));
+  const Attribute normal =
+      slash == attributes.size() ? Attribute{} : attribute(token, normal_count_, attributes.substr(slash + 1));
+  attributes_missing_ = attributes_missing_ || texture.missing || normal.missing;
+  return reads_normals_ && normal.number ? normals_[*normal.number] : Vector3{};
 }
 
 void StatementParser::check_memory() const {
   const PolygonList& faces = result_.faces;
-  const std::uint64_t needed = memory_for_mesh(result_.vertices.size(), faces.corners.size(), faces.size());
+  // Normals twice over: while a list grows.
+  const std::uint64_t needed = memory_for_mesh(result_.vertices.size(), faces.corners.size(), faces.size()) +
+                               2 * sizeof(Vector3) * (normals_.size() + result_.corner_normals.size());
   if (needed <= limits_.memory) return;
   fail("the mesh up to here needs about " + std::to_string(needed) + " bytes of memory, and the limit is " +
        std::to_string(limits_.memory) + "; raise it with --max-memory");
@@ -185,12 +213,13 @@ std::uint64_t memory_for_mesh(std::uint64_t vertices, std::uint64_t corners, std
   return (std::uint64_t{10} << 20) + 128 * vertices + 300 * std::max(corners, of_triangles) + 200 * faces;
 }
 
-ObjStatements parse_obj_statements(ObjScanner& scanner, const std::string& file_name, const ReadLimits& limits) {
+ObjStatements parse_obj_statements(ObjScanner& scanner, const std::string& file_name, const ReadLimits& limits,
+                                   Normals normals) {
   if (scanner.skip("\xFF\xFE")) refuse_utf16(file_name, "little");
   if (scanner.skip("\xFE\xFF")) refuse_utf16(file_name, "big");
   (void)scanner.skip("\xEF\xBB\xBF");
   try {
-    return StatementParser(scanner, file_name, limits).parse();
+    return StatementParser(scanner, file_name, limits, normals).parse();
   } catch (const TokenTooLong& error) {
     throw InputError(file_name, scanner.line(), error.what());
   }

@@ -15,6 +15,7 @@ namespace sightline {
 struct ObjStatements {
   std::vector<Point3> vertices;
   PolygonList faces;
+  std::vector<Vector3> corner_normals;  // where asked for: parallel to faces.corners, zero where the file gives none
   std::vector<FaceId> faces_with_missing_attributes;  // whose texture or normal indices name nothing
   std::size_t unknown_count = 0;                      // statements with an unknown keyword
   std::size_t unknown_line = 0;                       // the line of the first of them
@@ -26,6 +27,8 @@ struct ReadLimits {
   std::uint64_t memory = std::numeric_limits<std::uint64_t>::max();  // in bytes; see memory_for_mesh
 };
 
+enum class Normals : std::uint8_t { passed_over, read };
+
 // No face has more corners: one that is not convex is triangulated in O(k^2), and a star of so many corners takes a
 // quarter of a minute.
 constexpr std::size_t most_corners = 10000;
@@ -36,6 +39,6 @@ constexpr std::size_t most_corners = 10000;
 
 // Takes the text from the scanner, which is at its beginning. Throws InputError.
 [[nodiscard]] ObjStatements parse_obj_statements(ObjScanner& scanner, const std::string& file_name,
-                                                 const ReadLimits& limits);
+                                                 const ReadLimits& limits, Normals normals = Normals::passed_over);
 
 }  // namespace sightline

@@ -3,25 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/facet_plane.h"
-
 namespace sightline {
 namespace {
-
-ExactPlane exact_plane(const std::array<Point3, 3>& p) {
-  return plane_through(exact_position(p[0]), exact_position(p[1]), exact_position(p[2]));
-}
-
-std::array<Point3, 3> plane_points(const Mesh& mesh, FacetId facet) {
-  const auto [a, b, c] = plane_corners(mesh, facet);
-  return {mesh.position(a), mesh.position(b), mesh.position(c)};
-}
-
-CutPolygon whole_polygon(const Mesh& mesh, WholeId whole) {
-  CutPolygon polygon;
-  for (const VertexId v : whole_corners(mesh, whole)) polygon.push_back({exact_position(mesh.position(v)), v, {}});
-  return polygon;
-}
 
 // Grid coordinates are exact in double, and so is their share of the half window.
 WindowPart around(const std::vector<ImagePolygon>& polygons, int grid_bits) {
@@ -45,17 +28,6 @@ WindowPart widened(const WindowPart& part, int grid_bits) {
 }
 
 }  // namespace
-
-MirrorWorld make_mirror_world(const Mesh& surface, std::vector<Panel> panels) {
-  MirrorWorld world{&surface, std::move(panels), {}, {}, {}, {}};
-  if (!world.panels.empty()) world.obstacles = Obstacles(surface);
-  for (const Panel& panel : world.panels) {
-    const Mesh& mesh = world.panel_meshes.emplace_back(panel_mesh(panel));
-    world.panel_planes.push_back(exact_plane(plane_points(mesh, FacetId(0))));
-    world.panel_boxes.push_back(box_of(mesh, mesh.faces[0]));
-  }
-  return world;
-}
 
 Mirror::Mirror(const MirrorWorld& world, const ProjectedScene& scene, FacetId surface)
     : world_(world), scene_(scene), plane_(plane_points(*world.surface, surface)) {
@@ -84,7 +56,7 @@ const Mirror::PanelImage& Mirror::image_of(std::size_t panel) {
   const auto [found, is_new] = images_.try_emplace(panel);
   PanelImage& image = found->second;
   if (!is_new) return image;
-  if (!view_) view_.emplace(scene_.camera, exact_plane(plane_), scene_.grid_bits);
+  if (!view_) view_.emplace(scene_.camera, plane_through(plane_), scene_.grid_bits);
   const ExactPlane& plane = world_.panel_planes[panel];
   const Sign side = view_->side_of_centre(plane);
   if (side == 0 || (side < 0 && world_.panels[panel].emits == Emits::front)) return image;
@@ -102,7 +74,7 @@ std::vector<ImagePolygon> Mirror::shadows(const WindowPart& part, std::size_t pa
                                           ReflectionStatistics& statistics) const {
   const Pyramid pyramid(scene_.camera, plane_, widened(part, scene_.grid_bits));
   std::vector<ImagePolygon> shadows;
-  for (const WholeId obstacle : world_.obstacles.in(pyramid)) {
+  for (const WholeId obstacle : world_.obstacles.in([&](const Box& box) { return pyramid.may_touch(box); })) {
     ++statistics.obstacles;
     add_shadow(shadows, whole_polygon(*world_.surface, obstacle), image);
   }

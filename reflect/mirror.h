@@ -19,29 +19,10 @@
 #include "reconstruct/visible_polygons.h"
 #include "reflect/lit_region.h"
 #include "reflect/mirror_view.h"
-#include "reflect/obstacles.h"
-#include "reflect/panel.h"
+#include "reflect/mirror_world.h"
+#include "reflect/pyramid.h"
 
 namespace sightline {
-
-// Everything that can be reflected or be in the way, prepared once for all cameras.
-struct MirrorWorld {
-  const Mesh* surface = nullptr;
-  std::vector<Panel> panels;
-  std::vector<Mesh> panel_meshes;  // one face each
-  std::vector<ExactPlane> panel_planes;
-  std::vector<Box> panel_boxes;
-  Obstacles obstacles;
-};
-
-// Errors: PanelError.
-[[nodiscard]] MirrorWorld make_mirror_world(const Mesh& surface, std::vector<Panel> panels);
-
-struct ReflectionStatistics {
-  std::uint64_t pyramids = 0;   // a visible polygon and a panel that its pyramid may reach
-  std::uint64_t obstacles = 0;  // facets that were looked at in them
-  std::uint64_t blocked = 0;    // pyramids in which an obstacle casts a shadow on the panel's image
-};
 
 class Mirror {
  public:

@@ -18,24 +18,9 @@ Obstacles::Obstacles(const Mesh& mesh) {
   hierarchy_ = build_hierarchy(boxes);
 }
 
-std::vector<WholeId> Obstacles::in(const Pyramid& pyramid) const {
+std::vector<WholeId> Obstacles::in(const std::function<bool(const Box&)>& may_touch) const {
   std::vector<WholeId> found;
-  std::vector<std::uint32_t> open;
-  if (!hierarchy_.nodes.empty()) open.push_back(0);
-  while (!open.empty()) {
-    const std::uint32_t n = open.back();
-    open.pop_back();
-    const BoxHierarchy::Node& node = hierarchy_.nodes[n];
-    if (!pyramid.may_touch(node.box)) continue;
-    if (node.right != 0) {
-      open.insert(open.end(), {node.right, n + 1});
-      continue;
-    }
-    for (std::uint32_t i = node.first; i < node.end; ++i) {
-      const BoxHierarchy::Item& item = hierarchy_.items[i];
-      if (pyramid.may_touch(item.box)) found.emplace_back(item.index);
-    }
-  }
+  for_each_touched_item(hierarchy_, may_touch, [&](const BoxHierarchy::Item& item) { found.emplace_back(item.index); });
   return found;
 }
 

@@ -1,14 +1,15 @@
 // What may stand between a mirror and a panel: the facets of the surface, and the panels.
 //
 // In:  meshes. Out: per pyramid, the facets that may have a point in it.
-// Complexity: O(n log n) to build; a pyramid costs what it touches of the hierarchy.
+// Complexity: O(n log n) to build; a pyramid (pyramid.h) costs what it touches of the hierarchy.
 #pragma once
 
+#include <functional>
+#include <span>
 #include <vector>
 
 #include "geometry/box_hierarchy.h"
 #include "geometry/mesh.h"
-#include "reflect/pyramid.h"
 
 namespace sightline {
 
@@ -18,7 +19,8 @@ class Obstacles {
   // Of a mesh that was cut along common lines: the facets before. Which pieces they are in is of no interest here.
   explicit Obstacles(const Mesh& mesh);
 
-  [[nodiscard]] std::vector<WholeId> in(const Pyramid& pyramid) const;
+  // may_touch: false where a box has no point in the pyramid.
+  [[nodiscard]] std::vector<WholeId> in(const std::function<bool(const Box&)>& may_touch) const;
 
  private:
   BoxHierarchy hierarchy_;

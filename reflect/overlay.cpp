@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "reflect/band_index.h"
+
 namespace sightline {
 namespace {
 
@@ -27,10 +29,11 @@ struct Windings {
   int right = 0;
 };
 
-Windings windings_beside(const RegionBorder& border, const BorderPiece& piece) {
+Windings windings_beside(const RegionBorder& border, const BandIndex& bands, const BorderPiece& piece) {
   const ImagePlace& p = upper(piece);
   Windings windings;
-  for (const BorderPiece& other : border) {
+  for (const std::uint32_t i : bands.at(p)) {
+    const BorderPiece& other = border[i];
     if (before(p, upper(other)) || !before(p, lower(other))) continue;
     const Sign at_point = side(other.line, p);
     const Sign of_piece = at_point != 0 ? at_point : turn(other.line, piece.line);
@@ -82,14 +85,18 @@ void for_each_part(Divided& divided, Visit visit) {
 
 class Overlay {
  public:
-  Overlay(const RegionBorder& first, const RegionBorder& second) : first_(first), second_(second) {}
+  Overlay(const RegionBorder& first, const RegionBorder& second)
+      : first_(first), second_(second), bands_of_first_(first), bands_of_second_(second) {}
 
   RegionBorder run() {
     std::vector<Divided> of_first = divided(first_);
     std::vector<Divided> of_second = divided(second_);
     for (std::size_t i = 0; i < of_second.size(); ++i) {
-      for (Divided& s : of_first) divide(s, of_second[i]);
-      for (std::size_t j = 0; j < i; ++j) divide(of_second[j], of_second[i]);
+      Divided& t = of_second[i];
+      bands_of_first_.for_each_beside(t.piece, [&](std::size_t s) { divide(of_first[s], t); });
+      bands_of_second_.for_each_beside(t.piece, [&](std::size_t s) {
+        if (s < i) divide(of_second[s], t);
+      });
     }
     for (Divided& s : of_first) for_each_part(s, [this](const BorderPiece& part) { add_of_first(part); });
     for (Divided& s : of_second) for_each_part(s, [this](const BorderPiece& part) { add_of_second(part); });
@@ -99,16 +106,16 @@ class Overlay {
 
  private:
   void add_of_first(const BorderPiece& part) {
-    const Windings of_second = windings_beside(second_, part);
+    const Windings of_second = windings_beside(second_, bands_of_second_, part);
     if ((runs_down(part) ? of_second.right : of_second.left) > 0) result_.push_back(part);
   }
 
   // Where it runs along the first region's border that border stands for it.
   void add_of_second(const BorderPiece& part) {
-    const Windings of_second = windings_beside(second_, part);
+    const Windings of_second = windings_beside(second_, bands_of_second_, part);
     const bool down = runs_down(part);
     if ((down ? of_second.right : of_second.left) <= 0 || (down ? of_second.left : of_second.right) > 0) return;
-    const Windings of_first = windings_beside(first_, part);
+    const Windings of_first = windings_beside(first_, bands_of_first_, part);
     if (of_first.left > 0 && of_first.right > 0) result_.push_back(part);
   }
 
@@ -127,10 +134,30 @@ class Overlay {
 
   const RegionBorder& first_;
   const RegionBorder& second_;
+  const BandIndex bands_of_first_;
+  const BandIndex bands_of_second_;
   RegionBorder result_;
 };
 
 }  // namespace
+
+RegionBorder without_seams(RegionBorder border) {
+  const auto order = [](const BorderPiece& a, const BorderPiece& b) {
+    const int uppers = sweep_compare(upper(a), upper(b));
+    return uppers != 0 ? uppers < 0 : before(lower(a), lower(b));
+  };
+  std::ranges::stable_sort(border, order);
+  RegionBorder result;
+  for (auto first = border.begin(); first != border.end();) {
+    const auto end = std::upper_bound(first, border.end(), *first, order);
+    const auto up = std::stable_partition(first, end, runs_down);
+    const auto seams = std::min(up - first, end - up);
+    result.insert(result.end(), first + seams, up);
+    result.insert(result.end(), up + seams, end);
+    first = end;
+  }
+  return result;
+}
 
 std::vector<RegionBorder> divided_at_meetings(std::vector<RegionBorder> borders) {
   std::vector<std::vector<Divided>> all;

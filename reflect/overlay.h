@@ -5,23 +5,20 @@
 //      pieces wind around it more than zero times.
 // Out: the border of the common part, in pieces that meet in end points only, with the part to their left. A piece lies
 //      on the line of the one that it came from. Empty where the regions have no area in common.
-// Complexity: O((m + n + k) (m + n)) for m and n pieces that meet k times: both regions are small where this is used.
+// Complexity: O((m + n + k) b) for m and n pieces that meet k times, of which b are beside each other at one height
+// (band_index.h): small regions, or small pieces.
 #pragma once
 
 #include <vector>
 
-#include "reflect/image_place.h"
+#include "reflect/border_piece.h"
 
 namespace sightline {
 
-struct BorderPiece {
-  ImagePlace start;
-  ImagePlace end;
-  ImageLine line;
-};
-using RegionBorder = std::vector<BorderPiece>;
-
 [[nodiscard]] RegionBorder common_part(const RegionBorder& first, const RegionBorder& second);
+
+// Without the pieces that run back and forth between the same places: it winds around everything as before. O(n log n).
+[[nodiscard]] RegionBorder without_seams(RegionBorder border);
 
 // Borders whose pieces meet those of their own border in end points only, divided so that they meet each other's in end
 // points only, or lie on each other from end to end. O(n^2) for n pieces.

@@ -73,13 +73,20 @@ Pyramid::Pyramid(const Camera& camera, const std::array<Point3, 3>& mirror, cons
   forms_[4] = {normal[0], normal[1], normal[2], height};
 }
 
+bool Pyramid::is_beyond(const Form& form, const Box& box) {
+  const Interval value = form[0] * Interval{box.low.x, box.high.x} + form[1] * Interval{box.low.y, box.high.y} +
+                         form[2] * Interval{box.low.z, box.high.z} + form[3];
+  return value.high < 0;
+}
+
 bool Pyramid::may_touch(const Box& box) const {
-  const std::array<Interval, 3> sides{Interval{box.low.x, box.high.x}, Interval{box.low.y, box.high.y},
-                                      Interval{box.low.z, box.high.z}};
-  return std::ranges::none_of(forms_, [&](const Form& form) {
-    const Interval value = form[0] * sides[0] + form[1] * sides[1] + form[2] * sides[2] + form[3];
-    return value.high < 0;
-  });
+  return std::ranges::none_of(forms_, [&](const Form& form) { return is_beyond(form, box); });
+}
+
+unsigned Pyramid::sides_before(const Box& box) const {
+  unsigned sides = 0;
+  for (std::size_t i = 0; i < forms_.size(); ++i) sides |= is_beyond(forms_[i], box) ? 1U << i : 0U;
+  return sides;
 }
 
 }  // namespace sightline

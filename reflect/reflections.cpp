@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reflect/mirror.h"
 #include "reflect/reflecting_border.h"
+#include "reflect/smooth_mirror.h"
 #include "sweep/image_points.h"
 
 namespace sightline {
@@ -21,6 +23,7 @@ void add_splits(VisibleSegments& segments, const VisibleSegments& reflecting) {
   splits.erase(std::unique(splits.begin(), splits.end()), splits.end());
 }
 
+template <class MirrorKind>
 class Reflection {
  public:
   Reflection(const MirrorWorld& world, const ProjectedScene& scene, const VisibleSegments& segments,
@@ -33,6 +36,7 @@ class Reflection {
     }
     MergedScene merged = merge(scene_, segments_, pieces_);
     ReflectedView view;
+    view.reflections.mode = world_.options.mode;
     for (std::size_t panel = 0; panel < world_.panels.size(); ++panel) {
       PanelReflection& reflection = view.reflections.panels.emplace_back();
       reflection.segments = reflecting_segments(*world_.surface, merged, pieces_of(panel, merged));
@@ -110,7 +114,7 @@ class Reflection {
   const VisibleSegments& segments_;
   const VisiblePolygons& polygons_;
   const ImagePoints points_;
-  std::optional<Mirror> mirror_;
+  std::optional<MirrorKind> mirror_;
   FacetId mirrored_surface_;
   RegionBorder pieces_;
   std::vector<FoundPiece> found_;  // parallel to pieces_
@@ -138,7 +142,11 @@ PanelBorders panel_borders(const Reflections& reflections) {
 
 ReflectedView reflect(const MirrorWorld& world, const ProjectedScene& scene, const VisibleSegments& segments,
                       const VisiblePolygons& polygons) {
-  return with_invariants_of(scene.arithmetic, [&] { return Reflection(world, scene, segments, polygons).run(); });
+  return with_invariants_of(scene.arithmetic, [&] {
+    return world.options.mode == ReflectionMode::smooth
+               ? Reflection<SmoothMirror>(world, scene, segments, polygons).run()
+               : Reflection<Mirror>(world, scene, segments, polygons).run();
+  });
 }
 
 }  // namespace sightline

@@ -6,17 +6,18 @@
 // Holds: a reflecting polygon lies in a visible polygon of its face, and shares its points where it runs along its
 //      border; what splits a mesh edge is among the segments' splits, so that the labelled surface stays conforming.
 //      Polygons of different panels overlap only where these lie in one plane, on each other.
+// Modes: exact or smooth (reflection_options.h); marking triangles comes after labelling (reflecting_triangles.h).
 // Complexity: O(1) per visible polygon and panel where the pyramid misses the panel; else a search among the obstacles, and
-// what overlay.h and the sweep of their shadows cost. Then that of merged_scene.h, and O(m v) to find where the m points
+// what overlay.h and the sweep of their shadows cost (exact), or per square into which smooth_mirror.h divides it. Then that of merged_scene.h, and O(m v) to find where the m points
 // of a surface split its v visible edges.
 // Errors: InternalError; in float and double ArithmeticError instead.
-// Source: Koucky 2014, 3.9; see mirror.h for the departures.
+// Source: Koucky 2014, 3.9; see mirror.h and smooth_mirror.h for the departures.
 #pragma once
 
 #include <vector>
 
 #include "reconstruct/labelled_mesh.h"
-#include "reflect/mirror.h"
+#include "reflect/mirror_world.h"
 
 namespace sightline {
 
@@ -26,7 +27,8 @@ struct PanelReflection {
 };
 
 struct Reflections {
-  std::vector<PanelReflection> panels;  // parallel to the world's
+  ReflectionMode mode = ReflectionMode::exact;
+  std::vector<PanelReflection> panels;  // parallel to the world's; without polygons where triangles are marked
   ReflectionStatistics statistics;
 };
 

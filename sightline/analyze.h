@@ -9,6 +9,7 @@
 #include "geometry/projected_scene.h"
 #include "reconstruct/labelled_mesh.h"
 #include "reconstruct/visible_polygons.h"
+#include "reflect/reflecting_triangles.h"
 #include "reflect/reflections.h"
 #include "sweep/sweep.h"
 #include "sweep/visible_segments.h"
@@ -42,6 +43,11 @@ struct View {
   view.scene = project(mesh, camera, sides, precision);
   view.segments = sweep(mesh, view.scene);
   view.polygons = reconstruct_polygons(mesh, view.scene, view.segments);
+  if (world.options.mode == ReflectionMode::triangles) {
+    view.labelled = label_mesh(mesh, view.scene, view.segments, view.polygons);
+    view.reflections = reflecting_triangles(world, camera, view.labelled);
+    return view;
+  }
   ReflectedView reflected = reflect(world, view.scene, view.segments, view.polygons);
   view.scene = std::move(reflected.scene);
   view.segments = std::move(reflected.segments);

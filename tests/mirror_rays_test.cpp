@@ -5,12 +5,14 @@
 #include <random>
 
 #include "sightline/analyze.h"
-#include "sweep/image_points.h"
 #include "tests/oracle/judge.h"
 #include "tests/oracle/mirror_rays.h"
+#include "tests/reflecting_region.h"
 
 namespace sightline::oracle {
 namespace {
+
+using testing::ReflectingRegion;
 
 struct MirrorScene {
   Mesh mesh;
@@ -50,45 +52,6 @@ MirrorScene random_mirror_scene(std::uint64_t seed) {
   return {build_mesh(std::move(vertices), std::move(faces)), panels, perspective_camera("random", view, 50)};
 }
 
-// A panel's reflecting region in floating point.
-class Region {
- public:
-  Region(const View& view, std::size_t panel) {
-    const VisibleSegments& segments = view.reflections.panels[panel].segments;
-    const ImagePoints points(view.scene, segments);
-    for (const VisibleSegment& s : segments.segments)
-      borders_.push_back({points.in_window(s.start), points.in_window(s.end)});
-  }
-
-  // How often the border winds around the place; nothing where that is within 1e-9 of it.
-  [[nodiscard]] std::optional<int> winding(const Point2& p) const {
-    int winding = 0;
-    for (const auto& [a, b] : borders_) {
-      if (is_near(a, b, p)) return std::nullopt;
-      const double side = (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
-      if (a.y <= p.y && b.y > p.y && side > 0) ++winding;
-      if (b.y <= p.y && a.y > p.y && side < 0) --winding;
-    }
-    return winding;
-  }
-
- private:
-  struct Border {
-    Point2 a;
-    Point2 b;
-  };
-
-  static bool is_near(const Point2& a, const Point2& b, const Point2& p) {
-    constexpr double near = 1e-9;
-    if (p.x < std::min(a.x, b.x) - near || p.x > std::max(a.x, b.x) + near) return false;
-    if (p.y < std::min(a.y, b.y) - near || p.y > std::max(a.y, b.y) + near) return false;
-    const double side = (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
-    return std::fabs(side) <= near * std::hypot(b.x - a.x, b.y - a.y);
-  }
-
-  std::vector<Border> borders_;
-};
-
 double area(const View& view, std::size_t panel) {
   double sum = 0;
   for (const VisiblePolygon& polygon : view.reflections.panels[panel].polygons.polygons) sum += polygon.area;
@@ -106,7 +69,7 @@ Tally compare(const MirrorScene& scene, const View& view, std::uint64_t rays, st
   std::mt19937_64 random(seed);
   const auto coordinate = [&] { return std::ldexp(static_cast<double>(random() >> 11U), -52) - 1; };
   const MirrorRays oracle(scene.mesh, scene.panels, scene.camera);
-  const std::array regions{Region(view, 0), Region(view, 1)};
+  const std::array regions{ReflectingRegion(view, 0), ReflectingRegion(view, 1)};
   Tally tally;
   for (; tally.rays < rays; ++tally.rays) {
     const Point2 p{coordinate(), coordinate()};
@@ -161,7 +124,7 @@ bool sees_back(const Mesh& mesh, const MirrorScene& scene, const LabelledMesh& l
   const ViewPoint view{place, middle, {0.3, 0.2, 1}, 1, {}, {}};
   const Panel eye = small_panel(scene.camera.origin, middle - scene.camera.origin);
   const View back = analyze(make_mirror_world(mesh, {eye}), perspective_camera("back", view, 20));
-  return Region(back, 0).winding({0, 0}).value_or(0) > 0;
+  return ReflectingRegion(back, 0).winding({0, 0}).value_or(0) > 0;
 }
 
 }  // namespace

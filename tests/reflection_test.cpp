@@ -3,85 +3,40 @@
 
 #include <cmath>
 
-#include "sightline/analyze.h"
-#include "tests/oracle/judge.h"
-#include "tests/polygon_mesh.h"
+#include "tests/mirror_outcome.h"
 
 namespace sightline {
 namespace {
 
+using testing::area;
 using testing::Corners;
+using testing::exact_image_area;
+using testing::floor_mirror;
+using testing::looking_down;
 using testing::mesh_of;
+using testing::mirror_eye;
+using testing::overhead;
+using testing::rectangle;
 
-// Looks straight down; at depth d it sees what is at most d to the left, right, back and front.
-Camera looking_down(const Point3& eye) {
-  Camera camera;
-  camera.name = "down";
-  camera.right = {1, 0, 0};
-  camera.up = {0, 1, 0};
-  camera.forward = {0, 0, -1};
-  camera.origin = eye;
-  camera.eye = {eye, 1};
-  return camera;
-}
-
-Corners rectangle(double left, double right, double front, double back, double z) {
-  return {{left, front, z}, {right, front, z}, {right, back, z}, {left, back, z}};
-}
+struct Outcome : testing::MirrorOutcome {
+  std::vector<Rational> image_areas;  // per panel, in window units
+};
 
 Corners turned(Corners corners) {
   std::ranges::reverse(corners);
   return corners;
 }
 
-// The mirror of most tests: 16 x 16 in the plane z = 0, seen from (-2, 0, 4). A panel's point (x, y, 4) is mirrored in
-// ((x - 2) / 2, y / 2, 0).
-const Corners floor_mirror = rectangle(-8, 8, -8, 8, 0);
-const Point3 eye{-2, 0, 4};
-
-struct Outcome {
-  View view;
-  std::vector<Rational> image_areas;  // per panel, in window units
-  std::vector<double> areas;          // per panel, on the surface
-};
-
-double area(const LabelledMesh& labelled, const LabelledTriangle& t) {
-  const auto corner = [&](std::size_t i) { return labelled.vertices[t.corners[i].index()]; };
-  const Vector3 u = corner(1) - corner(0);
-  const Vector3 v = corner(2) - corner(0);
-  return std::hypot(u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x) / 2;
-}
-
 Outcome reflected(const std::vector<Corners>& surface, const std::vector<Panel>& panels,
-                  const Camera& camera = looking_down(eye)) {
-  const Mesh mesh = oracle::cut(mesh_of(surface));
-  const MirrorWorld world = make_mirror_world(mesh, panels);
-  Outcome outcome{analyze(world, camera), {}, {}};
-  const View& view = outcome.view;
-  CHECK(oracle::joined(oracle::complaints_of_stages(mesh, view)) == "");
-  for (std::size_t p = 0; p < panels.size(); ++p) {
-    const PanelReflection& panel = view.reflections.panels[p];
-    CHECK(validate(panel.polygons, mesh, view.scene, panel.segments) == std::vector<std::string>{});
-    Rational sum = 0;
-    for (std::size_t i = 0; i < panel.polygons.polygons.size(); ++i)
-      sum += exact_area(view.scene, panel.segments, panel.polygons, i);
-    outcome.image_areas.push_back(sum / Rational(BigInteger(1) << static_cast<unsigned>(2 * view.scene.grid_bits)));
-    double on_surface = 0;
-    for (const LabelledTriangle& t : view.labelled.triangles) {
-      if ((t.reflecting >> p & 1U) == 0) continue;
-      CHECK(t.seen);
-      on_surface += area(view.labelled, t);
-    }
-    outcome.areas.push_back(on_surface);
-  }
+                  const Camera& camera = looking_down(mirror_eye)) {
+  Outcome outcome{testing::reflected(oracle::cut(mesh_of(surface)), panels, camera), {}};
+  for (std::size_t p = 0; p < panels.size(); ++p) outcome.image_areas.push_back(exact_image_area(outcome.view, p));
   return outcome;
 }
 
 Outcome reflected(const std::vector<Corners>& surface, const Corners& panel) {
   return reflected(surface, {{"panel", panel, Emits::both}});
 }
-
-const Corners overhead = rectangle(1, 3, -1, 1, 4);  // is mirrored in [-1/2, 1/2] x [-1/2, 1/2]
 
 }  // namespace
 

@@ -94,6 +94,19 @@ TEST_CASE("panels have names, corners and sides that shine") {
   CHECK(scene.panels[1].emits == Emits::front);
 }
 
+TEST_CASE("how reflections are found") {
+  const auto options_of = [](const std::string& lines) {
+    return parse_scene(good + "[reflection]\n" + lines, "scene.toml").reflection;
+  };
+  CHECK(parse_scene(good, "scene.toml").reflection.mode == ReflectionMode::exact);
+  CHECK(options_of("mode = \"exact\"\n").mode == ReflectionMode::exact);
+  CHECK(options_of("mode = \"triangles\"\n").mode == ReflectionMode::triangles);
+  CHECK(options_of("mode = \"triangles\"\n").normals == MirrorNormals::vertex);
+  CHECK(options_of("mode = \"triangles\"\nnormals = \"face\"\n").normals == MirrorNormals::face);
+  CHECK(options_of("mode = \"smooth\"\n").tolerance == 1e-3);
+  CHECK(options_of("mode = \"smooth\"\ntolerance = 0.25\n").tolerance == 0.25);
+}
+
 TEST_CASE("characters beyond ASCII are welcome in quotes and comments, and brackets at the start of a row") {
   const auto mesh_called = [](const std::string& quoted) {
     return parse_scene("\xEF\xBB\xBF# \u00e9 [\n" + with(good, "\"a.obj\"", quoted), "scene.toml").mesh_file;
@@ -141,7 +154,11 @@ TEST_CASE("what is wrong in a scene file is named with key and line") {
       {good + panel(square) + "emits = \"back\"\n", 11, "'emits' must be \"front\" or \"both\""},
       {good + panel(square) + "colour = 1\n", 11, "unknown key 'colour' in [[panel]]"},
       {good + panel(square) + panel(square), 12, "a second panel is called \"left\""},
-      {good + "[reflection]\nmode = \"triangles\"\n", 9, "'mode' must be \"exact\""},
+      {good + "[reflection]\nmode = \"rough\"\n", 9, "'mode' must be \"exact\", \"triangles\" or \"smooth\""},
+      {good + "[reflection]\nmode = \"smooth\"\ntolerance = 0\n", 10, "'tolerance' must be between 0 and 1"},
+      {good + "[reflection]\nmode = \"exact\"\ntolerance = 0.1\n", 10, "'tolerance' is for mode \"smooth\" only"},
+      {good + "[reflection]\nnormals = \"face\"\n", 9, "'normals' is for mode \"triangles\" only"},
+      {good + "[reflection]\nmode = \"triangles\"\nnormals = \"up\"\n", 10, "'normals' must be \"face\" or \"vertex\""},
       {good + "[reflection]\nmade = \"exact\"\n", 9, "unknown key 'made' in [reflection]"},
       {"reflection = 1\n" + good, 1, "'reflection' must be a table"},
       {"colour = 1\n" + good, 1, "unknown key 'colour' in the scene file"},

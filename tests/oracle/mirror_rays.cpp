@@ -30,8 +30,13 @@ double distance_to(const std::array<Point3, 3>& corners, const Point3& origin, c
 
 }  // namespace
 
-MirrorRays::MirrorRays(const Mesh& mesh, const std::vector<Panel>& panels, const Camera& camera) : camera_(camera) {
+MirrorRays::MirrorRays(const Mesh& mesh, const std::vector<Panel>& panels, const Camera& camera,
+                       const std::vector<Vector3>& normals)
+    : camera_(camera), is_bent_(!normals.empty()) {
   add(faces_, mesh, 0, false);
+  for (std::size_t f = 0; is_bent_ && f < faces_.size(); ++f) {
+    for (std::size_t i = 0; i < 3; ++i) faces_[f].normals[i] = normals[3 * f + i];
+  }
   for (std::size_t p = 0; p < panels.size(); ++p)
     add(panels_, panel_mesh(panels[p]), p, panels[p].emits == Emits::front);
 }
@@ -59,14 +64,27 @@ MirrorRays::Hit MirrorRays::first_hit(const std::vector<Target>& targets, const 
   return nearest;
 }
 
+// By the areas of the triangles that the place makes with the sides.
+Vector3 MirrorRays::normal_at(const Target& target, const Point3& place) {
+  Vector3 sum;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vector3 p = target.corners[(i + 1) % 3] - place;
+    const Vector3 q = target.corners[(i + 2) % 3] - place;
+    sum = sum + scalar(vector_product(p, q), target.normal) * target.normals[i];
+  }
+  return sum;
+}
+
 int MirrorRays::panel_at(double x, double y) const {
   const Vector3 direction = camera_.forward + (x / scalar(camera_.right, camera_.right)) * camera_.right +
                             (y / scalar(camera_.up, camera_.up)) * camera_.up;
   const Hit mirror = first_hit(faces_, camera_.origin, direction, nullptr);
   if (mirror.target == nullptr) return -1;
   const Point3 place = camera_.origin + mirror.distance * direction;
-  const Vector3& normal = mirror.target->normal;
+  const Vector3 normal = is_bent_ ? normal_at(*mirror.target, place) : mirror.target->normal;
   const Vector3 mirrored = direction - (2 * scalar(direction, normal) / scalar(normal, normal)) * normal;
+  const Vector3& flat = mirror.target->normal;
+  if (is_bent_ && scalar(mirrored, flat) * scalar(direction, flat) >= 0) return -1;
   const Hit obstacle = first_hit(faces_, place, mirrored, mirror.target);
   const Hit panel = first_hit(panels_, place, mirrored, nullptr);
   if (panel.target == nullptr || panel.distance >= obstacle.distance) return -1;

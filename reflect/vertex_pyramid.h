@@ -1,0 +1,37 @@
+// The pyramid through a triangle, between the triangle's plane and a panel's, for the vertices in it.
+//
+// In:  a triangle, counter-clockwise seen from the camera; the camera's eye (w = 0: the direction towards the viewer); the
+//      panel's plane. Out: whether a point is strictly inside, by five conditions (Koucky 2014, 3.9), in floating point.
+// Units: positions are scaled so that products of four lengths neither overflow nor underflow.
+#pragma once
+
+#include <array>
+
+#include "geometry/box_hierarchy.h"
+#include "geometry/predicates.h"
+
+namespace sightline {
+
+// A plane as a form: positive on its front side.
+struct PlaneForm {
+  Vector3 normal;
+  double offset = 0;
+
+  [[nodiscard]] double at(const Point3& p) const { return dot(normal, p) - offset; }
+};
+
+// In front of the plane a, b, c are seen counter-clockwise.
+[[nodiscard]] PlaneForm plane_form(const Point3& a, const Point3& b, const Point3& c);
+
+class VertexPyramid {
+ public:
+  VertexPyramid(const std::array<Point3, 3>& triangle, const HomogeneousPoint& eye, const PlaneForm& panel);
+
+  [[nodiscard]] bool contains(const Point3& p) const;
+  [[nodiscard]] bool may_touch(const Box& box) const;
+
+ private:
+  std::array<PlaneForm, 5> forms_;  // positive inside
+};
+
+}  // namespace sightline
