@@ -1,5 +1,6 @@
 #include "reflect/mirror_cell.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace sightline {
@@ -14,11 +15,10 @@ double passing_side(const MirroredRay& ray, const Point3& p, const Point3& q) {
   return -dot(ray.direction, cross(p - ray.point, q - ray.point));
 }
 
-// Two directions that span the plane across a unit vector.
-std::array<Vector3, 2> spanning(const Vector3& normal) {
-  const bool is_along_x = std::fabs(normal.x) > std::fabs(normal.y);
-  const Vector3 first = cross(normal, is_along_x ? Vector3{0, 1, 0} : Vector3{1, 0, 0});
-  return {first, cross(normal, first)};
+// The plane through the ray and a direction beside it, with another direction in front.
+PlaneForm plane_beside(const MirroredRay& ray, const Vector3& direction, const Vector3& front) {
+  const Vector3 normal = cross(ray.direction, direction);
+  return plane_across(dot(normal, front) < 0 ? -1 * normal : normal, ray.point);
 }
 
 }  // namespace
@@ -33,6 +33,8 @@ MirrorCell::MirrorCell(const ImagePoint& low, std::int64_t size, const SmoothRay
     const std::optional<MirroredRay> ray = rays.at(place.x, place.y);
     is_known_ = is_known_ && ray.has_value();
     rays_[i] = ray.value_or(MirroredRay{});
+    upright_[i] = plane_beside(rays_[i], rays_[i].upward, rays_[i].rightward);
+    level_[i] = plane_beside(rays_[i], rays_[i].rightward, rays_[i].upward);
   }
 }
 
@@ -69,26 +71,11 @@ LinearPart MirrorCell::reflecting(std::size_t half, const std::vector<Point3>& p
 }
 
 // Linear between the corners: what all corners' rays pass on one side, all the cell's rays do.
-MirrorCell::Reach::Reach(const MirrorCell& cell, const Camera& camera, const std::array<Point3, 3>& mirror,
-                         double scale) {
-  for (std::size_t i = 0; i < cell.places_.size(); ++i) {
-    const Point2 place = in_window(cell.places_[i], cell.grid_bits_);
-    const WindowPart part{place.x, place.x, place.y, place.y};
-    const MirroredRay& ray = cell.rays_[i];
-    const auto [u, v] = spanning(ray.normal);
-    const double unit = 1 / scale;
-    corners_.emplace_back(camera, std::array{unit * ray.place, unit * (ray.place + u), unit * (ray.place + v)}, part);
-  }
-  const Point2 low = in_window(cell.places_[0], cell.grid_bits_);
-  const Point2 high = in_window(cell.places_[2], cell.grid_bits_);
-  corners_.emplace_back(camera, mirror, WindowPart{low.x, high.x, low.y, high.y});
-}
-
-bool MirrorCell::Reach::may_touch(const Box& box) const {
-  if ((corners_.back().sides_before(box) & Pyramid::behind_mirror) != 0) return false;
-  unsigned sides = Pyramid::behind_mirror - 1;
-  for (std::size_t i = 0; i + 1 < corners_.size(); ++i) sides &= corners_[i].sides_before(box);
-  return sides == 0;
+bool MirrorCell::may_reach(const Box& box) const {
+  const auto is_behind = [&](const PlaneForm& plane) { return plane.highest(box) < 0; };
+  const auto is_in_front = [&](const PlaneForm& plane) { return plane.lowest(box) > 0; };
+  return !std::ranges::all_of(upright_, is_behind) && !std::ranges::all_of(upright_, is_in_front) &&
+         !std::ranges::all_of(level_, is_behind) && !std::ranges::all_of(level_, is_in_front);
 }
 
 }  // namespace sightline

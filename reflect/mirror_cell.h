@@ -11,8 +11,8 @@
 #include <optional>
 
 #include "reflect/linear_part.h"
+#include "reflect/plane_form.h"
 #include "reflect/polygon_outline.h"
-#include "reflect/pyramid.h"
 #include "reflect/smooth_rays.h"
 
 namespace sightline {
@@ -33,14 +33,7 @@ class MirrorCell {
   [[nodiscard]] LinearPart reflecting(std::size_t half, const std::vector<Point3>& polygon, PolygonSide side) const;
 
   // Whether a box may have a point that one of the cell's mirrored rays meets.
-  class Reach {
-   public:
-    Reach(const MirrorCell& cell, const Camera& camera, const std::array<Point3, 3>& mirror, double scale);
-    [[nodiscard]] bool may_touch(const Box& box) const;
-
-   private:
-    std::vector<Pyramid> corners_;
-  };
+  [[nodiscard]] bool may_reach(const Box& box) const;
 
  private:
   [[nodiscard]] std::array<std::size_t, 3> corners_of(std::size_t half) const;
@@ -50,6 +43,9 @@ class MirrorCell {
   bool is_known_ = true;
   std::array<ImagePoint, 4> places_;  // counter-clockwise from the lowest
   std::array<MirroredRay, 4> rays_;
+  // Per ray the planes through it that are upright, and level, in the image; in front is what is to the right, or above.
+  std::array<PlaneForm, 4> upright_;
+  std::array<PlaneForm, 4> level_;
 };
 
 }  // namespace sightline

@@ -83,10 +83,4 @@ bool Pyramid::may_touch(const Box& box) const {
   return std::ranges::none_of(forms_, [&](const Form& form) { return is_beyond(form, box); });
 }
 
-unsigned Pyramid::sides_before(const Box& box) const {
-  unsigned sides = 0;
-  for (std::size_t i = 0; i < forms_.size(); ++i) sides |= is_beyond(forms_[i], box) ? 1U << i : 0U;
-  return sides;
-}
-
 }  // namespace sightline

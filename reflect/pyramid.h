@@ -38,10 +38,6 @@ class Pyramid {
 
   [[nodiscard]] bool may_touch(const Box& box) const;
 
-  // The sides beyond which the box is wholly, a bit each.
-  static constexpr unsigned behind_mirror = 1U << 4;
-  [[nodiscard]] unsigned sides_before(const Box& box) const;
-
  private:
   // x, y, z and constant: what is in the pyramid has no negative value.
   using Form = std::array<Interval, 4>;

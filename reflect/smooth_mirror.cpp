@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reflect/vertex_pyramid.h"
+
 namespace sightline {
 namespace {
 
@@ -60,11 +62,12 @@ void append(RegionBorder& border, const RegionBorder& more) { border.insert(bord
 SmoothMirror::SmoothMirror(const MirrorWorld& world, const ProjectedScene& scene, FacetId surface)
     : world_(world),
       scene_(scene),
-      plane_(plane_points(*world.surface, surface)),
       normals_(*world.surface, world.normals, surface),
-      rays_(scene.camera, normals_, plane_[0], world.scale) {
-  if (scene.facing[surface.index()] == Facing::back) std::swap(plane_[1], plane_[2]);
-  exact_plane_ = plane_through(plane_);
+      rays_(scene.camera, normals_, plane_points(*world.surface, surface)[0], world.scale) {
+  std::array<Point3, 3> plane = plane_points(*world.surface, surface);
+  if (scene.facing[surface.index()] == Facing::back) std::swap(plane[1], plane[2]);
+  exact_plane_ = plane_through(plane);
+  plane_form_ = plane_form(world.scale * plane[0], world.scale * plane[1], world.scale * plane[2]);
 }
 
 std::vector<std::size_t> SmoothMirror::panels_reached(const WindowPart& /*part*/) const {
@@ -170,17 +173,19 @@ RegionBorder SmoothMirror::reflected_in(const MirrorCell& cell, PanelFace& face,
 
 std::vector<const SmoothMirror::SpacePolygon*> SmoothMirror::obstacles_before(const MirrorCell& cell, PanelFace& face,
                                                                               ReflectionStatistics& statistics) const {
-  const MirrorCell::Reach reach(cell, scene_.camera, plane_, world_.scale);
+  const auto may_reach = [&](const Box& box) {
+    const Box scaled{world_.scale * box.low, world_.scale * box.high};
+    return plane_form_.highest(scaled) > 0 && cell.may_reach(scaled);
+  };
   std::vector<const SpacePolygon*> result;
   const auto add = [&](const Mesh& mesh, std::size_t number, WholeId whole) {
     ++statistics.obstacles;
     const SpacePolygon& obstacle = part_before(face, mesh, number, whole);
     if (!obstacle.empty()) result.push_back(&obstacle);
   };
-  for (const WholeId whole : world_.obstacles.in([&](const Box& box) { return reach.may_touch(box); }))
-    add(*world_.surface, world_.panels.size(), whole);
+  for (const WholeId whole : world_.obstacles.in(may_reach)) add(*world_.surface, world_.panels.size(), whole);
   for (std::size_t p = 0; p < world_.panels.size(); ++p) {
-    if (p == face.panel || !reach.may_touch(world_.panel_boxes[p])) continue;
+    if (p == face.panel || !may_reach(world_.panel_boxes[p])) continue;
     const Mesh& mesh = world_.panel_meshes[p];
     for (std::size_t f = 0; f < mesh.facet_count(); ++f) add(mesh, p, WholeId(f));
   }

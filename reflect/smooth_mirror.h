@@ -19,6 +19,7 @@
 #include "reflect/mirror_cell.h"
 #include "reflect/mirror_world.h"
 #include "reflect/polygon_outline.h"
+#include "reflect/pyramid.h"
 
 namespace sightline {
 
@@ -80,8 +81,8 @@ class SmoothMirror {
 
   const MirrorWorld& world_;
   const ProjectedScene& scene_;
-  std::array<Point3, 3> plane_;  // three points of it, counter-clockwise seen from the eye
-  ExactPlane exact_plane_;
+  ExactPlane exact_plane_;  // of the surface, with the eye in front
+  PlaneForm plane_form_;    // the same, scaled
   ShadingNormals normals_;
   SmoothRays rays_;
 };

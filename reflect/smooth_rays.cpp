@@ -36,13 +36,15 @@ std::optional<MirroredRay> SmoothRays::at(double x, double y) const {
   const Vector3& plane_normal = normals_.of_plane();
   const double towards = dot(plane_normal, ray.direction);
   const double distance = dot(plane_normal, point_of_plane_ - ray.point) / towards;
+  const Point3 place = ray.point + distance * ray.direction;
+  if (!is_finite(place) || (perspective_ && distance <= 0)) return std::nullopt;
+  const Vector3 normal = normals_.at((1 / scale_) * place);
   MirroredRay result;
-  result.place = ray.point + distance * ray.direction;
-  if (!is_finite(result.place) || (perspective_ && distance <= 0)) return std::nullopt;
-  result.normal = normals_.at((1 / scale_) * result.place);
-  result.direction = mirrored(ray.direction, result.normal);
-  result.point = perspective_ ? result.place + mirrored(ray.point - result.place, result.normal) : result.place;
+  result.direction = mirrored(ray.direction, normal);
+  result.point = perspective_ ? place + mirrored(ray.point - place, normal) : place;
   result.rise = (towards < 0 ? 1 : -1) * dot(plane_normal, result.direction);
+  result.rightward = mirrored(axes_[0], normal);
+  result.upward = mirrored(axes_[1], normal);
   if (!is_finite(result.point) || !is_finite(result.direction)) return std::nullopt;
   return result;
 }

@@ -19,9 +19,9 @@ namespace sightline {
 struct MirroredRay {
   Point3 point;
   Vector3 direction;
-  double rise = 0;  // the direction's part along the plane's normal that points to the camera
-  Point3 place;     // where the plane is met
-  Vector3 normal;   // there
+  double rise = 0;    // the direction's part along the plane's normal that points to the camera
+  Vector3 rightward;  // the directions of the image, mirrored
+  Vector3 upward;
 };
 
 class SmoothRays {

@@ -7,22 +7,14 @@
 namespace sightline {
 namespace {
 
-PlaneForm plane_through(const Point3& p, const Vector3& normal) { return {normal, dot(normal, p)}; }
-
 PlaneForm turned_towards(const PlaneForm& plane, const Point3& p) {
   return plane.at(p) < 0 ? PlaneForm{-1 * plane.normal, -plane.offset} : plane;
-}
-
-double highest(const PlaneForm& plane, const Box& box) {
-  const Vector3& n = plane.normal;
-  return plane.at(
-      {n.x < 0 ? box.low.x : box.high.x, n.y < 0 ? box.low.y : box.high.y, n.z < 0 ? box.low.z : box.high.z});
 }
 
 }  // namespace
 
 PlaneForm plane_form(const Point3& a, const Point3& b, const Point3& c) {
-  return plane_through(a, unit(cross(b - a, c - a)));
+  return plane_across(unit(cross(b - a, c - a)), a);
 }
 
 VertexPyramid::VertexPyramid(const std::array<Point3, 3>& triangle, const HomogeneousPoint& eye,
@@ -34,7 +26,7 @@ VertexPyramid::VertexPyramid(const std::array<Point3, 3>& triangle, const Homoge
     const Point3& p = triangle[i];
     const Point3& q = triangle[(i + 1) % 3];
     const Vector3 to_centre = mirrored(eye.w == 0 ? eye.xyz : eye.xyz - p);
-    forms_[i] = turned_towards(plane_through(p, cross(q - p, to_centre)), triangle[(i + 2) % 3]);
+    forms_[i] = turned_towards(plane_across(cross(q - p, to_centre), p), triangle[(i + 2) % 3]);
   }
   forms_[3] = mirror;
   forms_[4] = turned_towards(panel, middle);
@@ -45,7 +37,7 @@ bool VertexPyramid::contains(const Point3& p) const {
 }
 
 bool VertexPyramid::may_touch(const Box& box) const {
-  return std::ranges::all_of(forms_, [&](const PlaneForm& form) { return highest(form, box) > 0; });
+  return std::ranges::all_of(forms_, [&](const PlaneForm& form) { return form.highest(box) > 0; });
 }
 
 }  // namespace sightline

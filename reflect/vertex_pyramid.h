@@ -7,18 +7,10 @@
 
 #include <array>
 
-#include "geometry/box_hierarchy.h"
 #include "geometry/predicates.h"
+#include "reflect/plane_form.h"
 
 namespace sightline {
-
-// A plane as a form: positive on its front side.
-struct PlaneForm {
-  Vector3 normal;
-  double offset = 0;
-
-  [[nodiscard]] double at(const Point3& p) const { return dot(normal, p) - offset; }
-};
 
 // In front of the plane a, b, c are seen counter-clockwise.
 [[nodiscard]] PlaneForm plane_form(const Point3& a, const Point3& b, const Point3& c);

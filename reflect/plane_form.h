@@ -1,0 +1,29 @@
+// A plane in floating point, as a form: positive on its front side.
+#pragma once
+
+#include "geometry/box_hierarchy.h"
+
+namespace sightline {
+
+struct PlaneForm {
+  Vector3 normal;
+  double offset = 0;
+
+  [[nodiscard]] double at(const Point3& p) const { return dot(normal, p) - offset; }
+
+  // Its least and its greatest value in a box.
+  [[nodiscard]] double lowest(const Box& box) const {
+    return at({normal.x < 0 ? box.high.x : box.low.x, normal.y < 0 ? box.high.y : box.low.y,
+               normal.z < 0 ? box.high.z : box.low.z});
+  }
+  [[nodiscard]] double highest(const Box& box) const {
+    return at({normal.x < 0 ? box.low.x : box.high.x, normal.y < 0 ? box.low.y : box.high.y,
+               normal.z < 0 ? box.low.z : box.high.z});
+  }
+};
+
+[[nodiscard]] constexpr PlaneForm plane_across(const Vector3& normal, const Point3& p) {
+  return {normal, dot(normal, p)};
+}
+
+}  // namespace sightline
