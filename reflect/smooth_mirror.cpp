@@ -11,12 +11,14 @@ namespace {
 // A square halved so often is not divided further, nor one in which rounding to the grid moves a border by a share that
 // matters: what dividing it changed last is in the statistics.
 constexpr int most_divisions = 12;
-// Two regions that are alike by chance, or both empty, say little.
-constexpr int fewest_divisions = 2;
 constexpr std::int64_t enough_spacings = 256;
 
+// Two regions that are alike by chance, or both empty, say little.
+constexpr int fewest_divisions = 2;
+
+// At least 2: its halves have a size.
 std::int64_t smallest_size(int grid_bits) {
-  return std::max(std::int64_t{1}, std::min(enough_spacings, (std::int64_t{1} << grid_bits) / 64));
+  return std::max(std::int64_t{2}, std::min(enough_spacings, (std::int64_t{1} << grid_bits) / 64));
 }
 
 // Of closed rings, counter-clockwise ones count positive. Around the first place, to keep digits.

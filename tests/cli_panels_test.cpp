@@ -1,5 +1,6 @@
 // Panels in every output of the command.
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -88,4 +89,78 @@ TEST_CASE("the summary says what each panel is worth") {
   CHECK(left->find(" 1 ") != std::string::npos);
   CHECK(left->ends_with(" %"));
   CHECK(left->size() <= 80);
+}
+
+namespace {
+
+// A floor of 8 x 8 squares with sides of 1/2, two triangles each, with the panel "left" of above a little larger.
+struct TiledFloor : TemporaryFolder {
+  TiledFloor() {
+    std::string obj;
+    for (int j = -4; j <= 4; ++j) {
+      for (int i = -4; i <= 4; ++i) obj += fmt::format("v {} {} 0\n", i / 2.0, j / 2.0);
+    }
+    for (int j = 0; j < 8; ++j) {
+      for (int i = 1; i <= 8; ++i) {
+        const int low = 9 * j + i;
+        obj += fmt::format("f {} {} {}\nf {} {} {}\n", low, low + 1, low + 10, low, low + 10, low + 9);
+      }
+    }
+    static_cast<void>(file("floor.obj", obj));
+  }
+
+  // The report of an analysis with these lines in [reflection].
+  Json analysed(const std::string& reflection) {
+    const std::string scene = file("scene.toml",
+                                   "[mesh]\nfile = \"floor.obj\"\n[[camera]]\nname = \"down\"\nimage = [2, 2]\n"
+                                   "pixel_origin = \"corner\"\nP = [[1, 0, -1, 6], [0, -1, -1, 4], [0, 0, -1, 4]]\n"
+                                   "[[panel]]\nname = \"left\"\n"
+                                   "corners = [[0.99, -1.01, 4], [3.01, -1.01, 4], [3.01, 1.01, 4], [0.99, 1.01, 4]]\n"
+                                   "[reflection]\n" +
+                                       reflection);
+    const RunResult run = run_sightline({"analyze", scene, "--quiet", "-o", (path() / "out").string()});
+    INFO(run.err);
+    REQUIRE(run.exit_code == 0);
+    return Json::parse(text("report.json"))["reflections"];
+  }
+  [[nodiscard]] std::string text(const std::string& name) const { return read_text(path() / "out" / "down" / name); }
+};
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
+  return found;
+}
+
+}  // namespace
+
+TEST_CASE("mode triangles: whole triangles, in the report, the labels and the picture") {
+  TiledFloor floor;
+  const Json reflections = floor.analysed("mode = \"triangles\"\nnormals = \"face\"\n");
+  CHECK(reflections["mode"] == "triangles");
+  CHECK(reflections["normals"] == "face");
+  const Json& panel = reflections["panels"][0];
+  CHECK(panel["triangles"] == 8);
+  CHECK(panel["area"].get<double>() == doctest::Approx(1).epsilon(1e-9));
+  CHECK(panel["image_area"].get<double>() == doctest::Approx(0.0625).epsilon(1e-9));
+  CHECK(count(floor.text("view.svg"), "id=\"reflecting-left-") == 8);
+  const std::string obj = floor.text("labelled.obj");
+  const std::size_t group = obj.find("g visible reflecting_left\n");
+  REQUIRE(group != std::string::npos);
+  CHECK(count(obj.substr(group), "\nf ") == 8);
+}
+
+TEST_CASE("mode smooth: the same floor reflects as in mode exact, and the report says how near it came") {
+  TiledFloor floor;
+  const Json exact = floor.analysed("mode = \"exact\"\n");
+  const Json smooth = floor.analysed("mode = \"smooth\"\ntolerance = 0.01\n");
+  CHECK(smooth["mode"] == "smooth");
+  CHECK(smooth["tolerance"] == 0.01);
+  CHECK(smooth["reached"].get<double>() <= 0.01);
+  CHECK_FALSE(exact.contains("tolerance"));
+  const auto area = [](const Json& reflections) { return reflections["panels"][0]["area"].get<double>(); };
+  CHECK(area(smooth) == doctest::Approx(area(exact)).epsilon(1e-9));
+  CHECK(area(exact) == doctest::Approx(1.01 * 1.01).epsilon(1e-9));
+  CHECK(smooth["panels"][0]["polygons"].get<int>() >= 8);
+  CHECK(count(floor.text("view.svg"), "id=\"reflecting-left-") == smooth["panels"][0]["polygons"].get<std::size_t>());
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <random>
 #include <string>
 
 #include <doctest/doctest.h>
@@ -232,6 +233,22 @@ TEST_CASE("a volume of one last bit has the right sign") {
                       {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {1, 0, 4}, {2, 1, 4}, {0, 2, 4}}};
     const Mesh mesh = mesh_of(sheet);
     CHECK(volume_sign(mesh, all_facets(mesh)) == (height < 1 ? 1 : -1));
+  }
+}
+
+TEST_CASE("a closed sheet in one plane has no volume, whatever rounding says") {
+  std::mt19937_64 random(7);
+  const auto odd = [&] { return static_cast<double>((random() >> 24U) | 1U); };
+  for (int sheet = 0; sheet < 50; ++sheet) {
+    CAPTURE(sheet);
+    const Vector3 u{odd(), odd(), odd()};
+    const Vector3 v{odd(), -odd(), odd()};
+    const Point3 o{odd(), odd(), -odd()};
+    const auto at = [&](double s, double t) { return o + s * u + t * v; };
+    const Solid solid{{at(0, 0), at(7, 0), at(0, 7), at(1, 2), at(3, 1)},
+                      {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {1, 0, 4}, {2, 1, 4}, {0, 2, 4}}};
+    const Mesh mesh = mesh_of(solid);
+    CHECK(volume_sign(mesh, all_facets(mesh)) == 0);
   }
 }
 
