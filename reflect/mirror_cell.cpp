@@ -10,6 +10,11 @@ Point2 in_window(const ImagePoint& p, int grid_bits) {
   return {std::ldexp(static_cast<double>(p.x), -grid_bits), std::ldexp(static_cast<double>(p.y), -grid_bits)};
 }
 
+// Of a half of the cell: the right angle's, then its neighbours along x and along y.
+std::array<std::size_t, 3> corners_of(std::size_t half) {
+  return half == 0 ? std::array<std::size_t, 3>{0, 1, 3} : std::array<std::size_t, 3>{2, 3, 1};
+}
+
 // > 0 where the ray passes the edge from p to q on the left, seen along the ray.
 double passing_side(const MirroredRay& ray, const Point3& p, const Point3& q) {
   return -dot(ray.direction, cross(p - ray.point, q - ray.point));
@@ -36,10 +41,6 @@ MirrorCell::MirrorCell(const ImagePoint& low, std::int64_t size, const SmoothRay
     upright_[i] = plane_beside(rays_[i], rays_[i].upward, rays_[i].rightward);
     level_[i] = plane_beside(rays_[i], rays_[i].rightward, rays_[i].upward);
   }
-}
-
-std::array<std::size_t, 3> MirrorCell::corners_of(std::size_t half) const {
-  return half == 0 ? std::array<std::size_t, 3>{0, 1, 3} : std::array<std::size_t, 3>{2, 3, 1};
 }
 
 RightTriangle MirrorCell::half(std::size_t half) const {

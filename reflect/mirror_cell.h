@@ -36,7 +36,6 @@ class MirrorCell {
   [[nodiscard]] bool may_reach(const Box& box) const;
 
  private:
-  [[nodiscard]] std::array<std::size_t, 3> corners_of(std::size_t half) const;
 
   int grid_bits_;
   const PolygonOutline& outline_;
