@@ -36,7 +36,6 @@ class MirrorCell {
   [[nodiscard]] bool may_reach(const Box& box) const;
 
  private:
-
   int grid_bits_;
   const PolygonOutline& outline_;
   bool is_known_ = true;
