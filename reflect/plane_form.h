@@ -2,6 +2,7 @@
 #pragma once
 
 #include "geometry/box_hierarchy.h"
+#include "geometry/vertex_normals.h"
 
 namespace sightline {
 
@@ -24,6 +25,11 @@ struct PlaneForm {
 
 [[nodiscard]] constexpr PlaneForm plane_across(const Vector3& normal, const Point3& p) {
   return {normal, dot(normal, p)};
+}
+
+// In front of the plane a, b, c are seen counter-clockwise.
+[[nodiscard]] inline PlaneForm plane_form(const Point3& a, const Point3& b, const Point3& c) {
+  return plane_across(unit(cross(b - a, c - a)), a);
 }
 
 }  // namespace sightline

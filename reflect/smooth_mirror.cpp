@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "reflect/vertex_pyramid.h"
-
 namespace sightline {
 namespace {
 

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "geometry/vertex_normals.h"
-
 namespace sightline {
 namespace {
 
@@ -12,10 +10,6 @@ PlaneForm turned_towards(const PlaneForm& plane, const Point3& p) {
 }
 
 }  // namespace
-
-PlaneForm plane_form(const Point3& a, const Point3& b, const Point3& c) {
-  return plane_across(unit(cross(b - a, c - a)), a);
-}
 
 VertexPyramid::VertexPyramid(const std::array<Point3, 3>& triangle, const HomogeneousPoint& eye,
                              const PlaneForm& panel) {

@@ -12,9 +12,6 @@
 
 namespace sightline {
 
-// In front of the plane a, b, c are seen counter-clockwise.
-[[nodiscard]] PlaneForm plane_form(const Point3& a, const Point3& b, const Point3& c);
-
 class VertexPyramid {
  public:
   VertexPyramid(const std::array<Point3, 3>& triangle, const HomogeneousPoint& eye, const PlaneForm& panel);

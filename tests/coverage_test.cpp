@@ -7,13 +7,14 @@
 #include <cmath>
 
 #include "sightline/analyze.h"
+#include "tests/mirror_outcome.h"
 #include "tests/oracle/judge.h"
-#include "tests/polygon_mesh.h"
 
 namespace sightline {
 namespace {
 
 using testing::Corners;
+using testing::looking_down;
 using testing::mesh_of;
 
 // Parallel rays straight down: it sees the square of this half width around (x, y).
@@ -26,18 +27,6 @@ Camera over(double x, double y, double half_width) {
   camera.forward = {0, 0, -1};
   camera.origin = {x, y, 64};
   camera.eye = {{0, 0, 1}, 0};
-  return camera;
-}
-
-// A pinhole that looks straight down with an angle of 90 degrees.
-Camera looking_down(const Point3& eye) {
-  Camera camera;
-  camera.name = "down";
-  camera.right = {1, 0, 0};
-  camera.up = {0, 1, 0};
-  camera.forward = {0, 0, -1};
-  camera.origin = eye;
-  camera.eye = {eye, 1};
   return camera;
 }
 

@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include <cmath>
+#include "geometry/area.h"
 
 namespace sightline::testing {
 namespace {
@@ -50,9 +50,7 @@ Corners rectangle(double left, double right, double front, double back, double z
 
 double area(const LabelledMesh& labelled, const LabelledTriangle& triangle) {
   const auto corner = [&](std::size_t i) { return labelled.vertices[triangle.corners[i].index()]; };
-  const Vector3 u = corner(1) - corner(0);
-  const Vector3 v = corner(2) - corner(0);
-  return std::hypot(u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x) / 2;
+  return triangle_area(corner(0), corner(1), corner(2));
 }
 
 MirrorOutcome reflected(const Mesh& mesh, const std::vector<Panel>& panels, const Camera& camera,
