@@ -78,9 +78,9 @@ std::vector<std::size_t> SmoothMirror::panels_reached(const WindowPart& /*part*/
 
 RegionBorder SmoothMirror::reflecting(const RegionBorder& polygon, const WindowPart& part, std::size_t panel,
                                       ReflectionStatistics& statistics) {
-  Search search{polygon, PolygonOutline(polygon), faces_of(panel), {}, statistics};
-  std::erase_if(search.faces, [](const PanelFace& face) { return face.pieces.empty(); });
-  if (search.faces.empty()) return {};
+  std::vector<PanelFace>& faces = faces_of(panel);
+  if (faces.empty()) return {};
+  Search search{polygon, PolygonOutline(polygon), faces, {}, statistics};
   for (const Square& square : squares_around(part)) divide(square, region(square, search), 0, search);
   return common_part(polygon, without_seams(std::move(search.border)));
 }
@@ -192,15 +192,20 @@ std::vector<const SmoothMirror::SpacePolygon*> SmoothMirror::obstacles_before(co
   return result;
 }
 
-std::vector<SmoothMirror::PanelFace> SmoothMirror::faces_of(std::size_t panel) const {
+// None where the panel has nothing before the mirror.
+std::vector<SmoothMirror::PanelFace>& SmoothMirror::faces_of(std::size_t panel) {
+  const auto [found, is_new] = faces_.try_emplace(panel);
+  std::vector<PanelFace>& faces = found->second;
+  if (!is_new) return faces;
   std::vector<SpacePolygon> pieces;
   const Mesh& mesh = world_.panel_meshes[panel];
   for (std::size_t f = 0; f < mesh.facet_count(); ++f) {
     SpacePolygon piece = scaled(part_in_front(whole_polygon(mesh, WholeId(f)), exact_plane_));
     if (!piece.empty()) pieces.push_back(std::move(piece));
   }
+  if (pieces.empty()) return faces;
   const ExactPlane& plane = world_.panel_planes[panel];
-  std::vector<PanelFace> faces{{panel, PolygonSide::front, plane, pieces, {}}};
+  faces.push_back({panel, PolygonSide::front, plane, pieces, {}});
   if (world_.panels[panel].emits == Emits::both)
     faces.push_back({panel, PolygonSide::back, plane.turned(), std::move(pieces), {}});
   return faces;

@@ -62,7 +62,7 @@ class SmoothMirror {
   struct Search {
     const RegionBorder& polygon;
     const PolygonOutline outline;
-    std::vector<PanelFace> faces;
+    std::vector<PanelFace>& faces;
     RegionBorder border;  // of what has been found
     ReflectionStatistics& statistics;
   };
@@ -74,7 +74,7 @@ class SmoothMirror {
                                           ReflectionStatistics& statistics) const;
   [[nodiscard]] std::vector<const SpacePolygon*> obstacles_before(const MirrorCell& cell, PanelFace& face,
                                                                   ReflectionStatistics& statistics) const;
-  [[nodiscard]] std::vector<PanelFace> faces_of(std::size_t panel) const;
+  [[nodiscard]] std::vector<PanelFace>& faces_of(std::size_t panel);
   [[nodiscard]] const SpacePolygon& part_before(PanelFace& face, const Mesh& mesh, std::size_t number,
                                                 WholeId whole) const;
   [[nodiscard]] SpacePolygon scaled(const CutPolygon& polygon) const;
@@ -85,6 +85,7 @@ class SmoothMirror {
   PlaneForm plane_form_;    // the same, scaled
   ShadingNormals normals_;
   SmoothRays rays_;
+  std::map<std::size_t, std::vector<PanelFace>> faces_;  // per panel, once for all polygons of the surface
 };
 
 }  // namespace sightline
