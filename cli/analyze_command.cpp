@@ -72,8 +72,9 @@ struct Output {
 
 // output: null where no files are wanted.
 Report camera_report(const Scene& scene, const MeshInput& input, const MirrorWorld& world, const Camera& camera,
-                     const Precision& precision, Output* output, Progress& progress) {
-  const ViewAnalysis analysis = analyze_view(input, world, camera, scene.sides, precision, progress);
+                     const AnalyzeOptions& options, Output* output, Progress& progress) {
+  const ViewAnalysis analysis =
+      analyze_view(input, world, camera, {scene.sides, options.precision, options.engine}, progress);
   if (output == nullptr) return make_report(scene, input, analysis, measure_faces(input.mesh, analysis.view), 0);
   output->seen.push_back(seen_part(analysis.view.labelled));
   progress.stage(camera.name + ": write the results");
@@ -106,8 +107,7 @@ std::string analyzed(const AnalyzeOptions& options) {
   const MirrorWorld world = make_mirror_world(input.mesh, scene.panels, scene.reflection, input.corner_normals);
   std::vector<Report> reports;
   for (const Camera& camera : scene.cameras) {
-    reports.push_back(
-        camera_report(scene, input, world, camera, options.precision, output ? &*output : nullptr, progress));
+    reports.push_back(camera_report(scene, input, world, camera, options, output ? &*output : nullptr, progress));
   }
   std::optional<Coverage> coverage;
   if (output) coverage = published_coverage(scene, input.mesh, *output, progress);

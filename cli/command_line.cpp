@@ -19,7 +19,7 @@ namespace {
 
 // The options as texts: numbers are parsed here and not by CLI11, which goes through the locale.
 struct AnalyzeTexts {
-  std::string input, output, sides, eye, target, up, fov_y, aspect, arithmetic, grid_bits, max_memory;
+  std::string input, output, sides, eye, target, up, fov_y, aspect, arithmetic, grid_bits, engine, max_memory;
   bool json = false;
   bool quiet = false;
 };
@@ -108,6 +108,12 @@ Precision precision_of(const AnalyzeTexts& texts) {
   return precision;
 }
 
+Engine engine_of(const AnalyzeTexts& texts) {
+  if (texts.engine.empty() || texts.engine == "fast") return Engine::fast;
+  if (texts.engine == "full") return Engine::full;
+  throw CommandLineError(fmt::format("--engine: '{}' is not fast or full", texts.engine));
+}
+
 AnalyzeOptions options_of(const AnalyzeTexts& texts) {
   AnalyzeOptions options;
   options.input = texts.input;
@@ -120,6 +126,7 @@ AnalyzeOptions options_of(const AnalyzeTexts& texts) {
   }
   options.max_memory = memory_limit(texts.max_memory);
   options.precision = precision_of(texts);
+  options.engine = engine_of(texts);
   options.json = texts.json;
   options.quiet = texts.quiet;
   if (options.input_is_scene()) {
@@ -167,6 +174,8 @@ void declare_analyze(CLI::App& analyze, AnalyzeTexts& texts) {
       ->type_name("float|double|exact");
   analyze.add_option("--grid-bits", texts.grid_bits, "the image's grid has 2^N cells in the half window (40)")
       ->type_name("N");
+  analyze.add_option("--engine", texts.engine, "sweep what the scene requires, or everything: same result (fast)")
+      ->type_name("fast|full");
   analyze.add_option("-o,--output", texts.output, "folder for the results, one folder in it per camera")
       ->type_name("DIR");
   analyze.add_option("--max-memory", texts.max_memory, "stop where more is needed (3/4 of the machine's memory)")

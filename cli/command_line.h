@@ -12,6 +12,7 @@
 #include "cli/scene.h"
 #include "geometry/arithmetic.h"
 #include "geometry/errors.h"
+#include "sweep/engine.h"
 
 namespace sightline {
 
@@ -26,6 +27,7 @@ struct AnalyzeOptions {
   std::optional<Camera> camera;       // set where the input is a mesh
   std::uint64_t max_memory = 0;       // in bytes
   Precision precision;
+  Engine engine = Engine::fast;
   bool json = false;
   bool quiet = false;
 

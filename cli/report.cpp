@@ -44,7 +44,7 @@ const char* to_string(SidesPolicy policy) {
 }
 
 Report sides_part(const ViewAnalysis& analysis) {
-  return {{"asked", to_string(analysis.asked)},
+  return {{"asked", to_string(analysis.asked.sides)},
           {"used", analysis.sides.sides == Sides::front ? "front" : "both"},
           {"reason", analysis.sides.reason}};
 }
@@ -200,6 +200,7 @@ Report make_report(const Scene& scene, const MeshInput& input, const ViewAnalysi
           {"camera", camera_part(view.scene.camera)},
           {"sides", sides_part(analysis)},
           {"precision", {{"arithmetic", to_string(view.scene.arithmetic)}, {"grid_bits", view.scene.grid_bits}}},
+          {"engine", analysis.asked.engine == Engine::fast ? "fast" : "full"},
           {"counts", counts_part(input, view, faces)},
           {"areas", areas_part(view, faces)},
           {"reflections", reflections_part(scene, view, faces)},

@@ -18,10 +18,10 @@ auto timed(double& seconds, Work work) {
   return result;
 }
 
-VisibleSegments watched_sweep(const Mesh& mesh, const ProjectedScene& scene, Progress& progress) {
-  if (!progress.shown()) return sweep(mesh, scene);
+VisibleSegments watched_sweep(const Mesh& mesh, const ProjectedScene& scene, Engine engine, Progress& progress) {
+  if (!progress.shown()) return find_visible_segments(mesh, scene, engine);
   SweepProgress observer(progress, scene.points.size());
-  return sweep(mesh, scene, &observer);
+  return find_visible_segments(mesh, scene, engine, &observer);
 }
 
 }  // namespace
@@ -40,19 +40,19 @@ MeshInput read_mesh(const std::string& file, Normals normals, std::uint64_t max_
   return input;
 }
 
-ViewAnalysis analyze_view(const MeshInput& input, const MirrorWorld& world, const Camera& camera, SidesPolicy policy,
-                          const Precision& precision, Progress& progress) {
+ViewAnalysis analyze_view(const MeshInput& input, const MirrorWorld& world, const Camera& camera,
+                          const ViewOptions& options, Progress& progress) {
   const Mesh& mesh = input.mesh;
   ViewAnalysis analysis;
   StageSeconds& seconds = analysis.seconds;
   View& view = analysis.view;
-  analysis.asked = policy;
+  analysis.asked = options;
   progress.stage(camera.name + ": project");
-  analysis.sides = timed(seconds.sides, [&] { return decide_sides(mesh, input.contacts, camera, policy); });
-  view.scene = timed(seconds.project, [&] { return project(mesh, camera, analysis.sides.sides, precision); });
+  analysis.sides = timed(seconds.sides, [&] { return decide_sides(mesh, input.contacts, camera, options.sides); });
+  view.scene = timed(seconds.project, [&] { return project(mesh, camera, analysis.sides.sides, options.precision); });
   require_memory_for_view(mesh, view.scene, input.max_memory);
   progress.stage(camera.name + ": sweep");
-  view.segments = timed(seconds.sweep, [&] { return watched_sweep(mesh, view.scene, progress); });
+  view.segments = timed(seconds.sweep, [&] { return watched_sweep(mesh, view.scene, options.engine, progress); });
   progress.stage(camera.name + ": reconstruct the visible polygons");
   view.polygons = timed(seconds.reconstruct, [&] { return reconstruct_polygons(mesh, view.scene, view.segments); });
   const bool marks_triangles = world.options.mode == ReflectionMode::triangles;

@@ -28,6 +28,13 @@ struct MeshInput {
 [[nodiscard]] MeshInput read_mesh(const std::string& file, Normals normals, std::uint64_t max_memory,
                                   Progress& progress);
 
+// How views are computed; the result differs by sides and precision only.
+struct ViewOptions {
+  SidesPolicy sides = SidesPolicy::automatic;
+  Precision precision;
+  Engine engine = Engine::fast;
+};
+
 struct StageSeconds {
   double sides = 0;
   double project = 0;
@@ -38,7 +45,7 @@ struct StageSeconds {
 };
 
 struct ViewAnalysis {
-  SidesPolicy asked = SidesPolicy::automatic;
+  ViewOptions asked;
   SidesDecision sides;
   View view;
   StageSeconds seconds;
@@ -47,6 +54,6 @@ struct ViewAnalysis {
 // world: of the input's mesh. Without panels nothing is reflected.
 // Errors: MemoryError, before the sweep; InternalError, or ArithmeticError where the arithmetic is not exact.
 [[nodiscard]] ViewAnalysis analyze_view(const MeshInput& input, const MirrorWorld& world, const Camera& camera,
-                                        SidesPolicy policy, const Precision& precision, Progress& progress);
+                                        const ViewOptions& options, Progress& progress);
 
 }  // namespace sightline

@@ -49,34 +49,17 @@ OutcodeSummary summarize(std::span<const VertexId> corners, const std::vector<Pr
   return {any_outside == 0, all_on_or_outside != 0};
 }
 
-// A facet's polygon with the image points still by value; they get their ids once all are known.
-struct PlacedCorner {
+// A point of the image before points are numbered, and whose it is: a vertex's, or a corner's that clipping made.
+struct Place {
   ImagePoint image;
-  ClippedCorner corner;
+  std::uint32_t owner = 0;
+  bool is_vertex = false;
 };
-
-PlacedCorner place(const ExactCorner& exact, const Mesh& mesh, const std::vector<ProjectedVertex>& projected,
-                   int grid_bits) {
-  PlacedCorner placed;
-  placed.corner.vertex = exact.vertex;
-  placed.corner.edge_after = exact.edge_after;
-  placed.corner.on_edge = exact.on_edge;
-  if (exact.vertex.valid()) {
-    placed.image = projected[exact.vertex.index()].image;
-    placed.corner.position = mesh.position(exact.vertex);
-    placed.corner.w = projected[exact.vertex.index()].w;
-  } else {
-    placed.image = round_to_grid(exact, grid_bits);
-    placed.corner.position = exact.position();
-    placed.corner.w = exact.weight();
-  }
-  return placed;
-}
 
 class SceneBuilder {
  public:
   SceneBuilder(const Mesh& mesh, const Camera& camera, Sides sides, const Precision& precision)
-      : mesh_(mesh), projected_(project_vertices(mesh, camera, precision)) {
+      : mesh_(mesh), projected_(project_vertices(mesh, camera, precision)), point_of_vertex_(mesh.vertices.size()) {
     scene_.camera = camera;
     scene_.sides_shown = sides;
     scene_.arithmetic = precision.arithmetic;
@@ -84,8 +67,11 @@ class SceneBuilder {
   }
 
   ProjectedScene build() {
+    scene_.facing.reserve(mesh_.facet_count());
+    scene_.status.reserve(mesh_.facet_count());
+    scene_.polygon_begin.reserve(mesh_.facet_count() + 1);
     for (std::size_t f = 0; f < mesh_.facet_count(); ++f) add_facet(FacetId(f));
-    scene_.polygon_begin.push_back(static_cast<std::uint32_t>(placed_.size()));
+    scene_.polygon_begin.push_back(static_cast<std::uint32_t>(scene_.polygon_corners.size()));
     number_points();
     collect_edges();
     return std::move(scene_);
@@ -93,7 +79,7 @@ class SceneBuilder {
 
  private:
   void add_facet(FacetId f) {
-    scene_.polygon_begin.push_back(static_cast<std::uint32_t>(placed_.size()));
+    scene_.polygon_begin.push_back(static_cast<std::uint32_t>(scene_.polygon_corners.size()));
     scene_.facing.push_back(facing_of(mesh_, scene_.camera, f, scene_.arithmetic));
     const OutcodeSummary summary = summarize(mesh_.corners(f), projected_);
     scene_.status.push_back(status_of(f, summary));
@@ -114,36 +100,59 @@ class SceneBuilder {
 
   void add_whole(FacetId f) {
     const auto corners = mesh_.corners(f);
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      const ProjectedVertex& vertex = projected_[corners[i].index()];
-      placed_.push_back({vertex.image,
-                         {.point = {},
-                          .position = mesh_.position(corners[i]),
-                          .w = vertex.w,
-                          .vertex = corners[i],
-                          .edge_after = mesh_.edges_of(f)[i],
-                          .on_edge = {}}});
-    }
+    const auto edges = mesh_.edges_of(f);
+    for (std::size_t i = 0; i < corners.size(); ++i) add_vertex_corner(corners[i], edges[i]);
   }
 
   void add_clipped(FacetId f) {
     const auto polygon = clip(mesh_, scene_.camera, f);
     if (polygon.empty()) scene_.status.back() = Status::out_of_view;
-    for (const ExactCorner& corner : polygon) placed_.push_back(place(corner, mesh_, projected_, scene_.grid_bits));
+    for (const ExactCorner& corner : polygon) {
+      if (corner.vertex.valid()) {
+        add_vertex_corner(corner.vertex, corner.edge_after);
+      } else {
+        add_cut_corner(corner);
+      }
+    }
   }
 
-  // Corners that fall on one grid point are one point from here on.
+  // The corner gets its point once all are known.
+  void add_vertex_corner(VertexId v, MeshEdgeId edge_after) {
+    const ProjectedVertex& vertex = projected_[v.index()];
+    scene_.polygon_corners.push_back({.point = {},
+                                      .position = mesh_.position(v),
+                                      .w = vertex.w,
+                                      .vertex = v,
+                                      .edge_after = edge_after,
+                                      .on_edge = {}});
+    PointId& point = point_of_vertex_[v.index()];
+    if (point.valid()) return;
+    point = PointId(0);
+    places_.push_back({vertex.image, v.value, true});
+  }
+
+  void add_cut_corner(const ExactCorner& corner) {
+    places_.push_back(
+        {round_to_grid(corner, scene_.grid_bits), static_cast<std::uint32_t>(scene_.polygon_corners.size()), false});
+    scene_.polygon_corners.push_back({.point = {},
+                                      .position = corner.position(),
+                                      .w = corner.weight(),
+                                      .vertex = {},
+                                      .edge_after = corner.edge_after,
+                                      .on_edge = corner.on_edge});
+  }
+
+  // Places that fall on one grid point are one point from here on.
   void number_points() {
-    std::vector<std::uint32_t> order(placed_.size());
-    for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
-    std::sort(order.begin(), order.end(),
-              [this](std::uint32_t a, std::uint32_t b) { return sweeps_before(placed_[a].image, placed_[b].image); });
-    for (const std::uint32_t i : order) {
-      if (scene_.points.empty() || scene_.points.back() != placed_[i].image) scene_.points.push_back(placed_[i].image);
-      placed_[i].corner.point = PointId(scene_.points.size() - 1);
+    std::ranges::sort(places_, sweeps_before, &Place::image);
+    for (const Place& place : places_) {
+      if (scene_.points.empty() || scene_.points.back() != place.image) scene_.points.push_back(place.image);
+      const PointId point(scene_.points.size() - 1);
+      (place.is_vertex ? point_of_vertex_[place.owner] : scene_.polygon_corners[place.owner].point) = point;
     }
-    scene_.polygon_corners.reserve(placed_.size());
-    for (const PlacedCorner& placed : placed_) scene_.polygon_corners.push_back(placed.corner);
+    for (ClippedCorner& corner : scene_.polygon_corners) {
+      if (corner.vertex.valid()) corner.point = point_of_vertex_[corner.vertex.index()];
+    }
   }
 
   struct PlacedSide {
@@ -154,34 +163,53 @@ class SceneBuilder {
 
   // The boundary of a facet that is counter-clockwise in the image runs down its left border: there the winding grows
   // from left to right.
-  void add_sides(FacetId f, std::vector<PlacedSide>& sides) const {
-    const auto polygon = scene_.polygon(f);
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-      const PointId from = polygon[i].point;
-      const PointId to = polygon[i + 1 == polygon.size() ? 0 : i + 1].point;
-      if (from < to) sides.push_back({from, to, {f, 1, polygon[i].edge_after}});
-      if (to < from) sides.push_back({to, from, {f, -1, polygon[i].edge_after}});
+  template <class Visit>
+  void for_each_side(Visit visit) const {
+    for (std::size_t f = 0; f < mesh_.facet_count(); ++f) {
+      const auto polygon = scene_.polygon(FacetId(f));
+      for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const PointId from = polygon[i].point;
+        const PointId to = polygon[i + 1 == polygon.size() ? 0 : i + 1].point;
+        if (from < to) visit(PlacedSide{from, to, {FacetId(f), 1, polygon[i].edge_after}});
+        if (to < from) visit(PlacedSide{to, from, {FacetId(f), -1, polygon[i].edge_after}});
+      }
     }
   }
 
+  // By their tops; those of one top stay in the order of facets.
+  [[nodiscard]] std::vector<PlacedSide> sides_by_top(std::vector<std::uint32_t>& begin) const {
+    begin.assign(scene_.points.size() + 1, 0);
+    for_each_side([&](const PlacedSide& side) { ++begin[side.top.index() + 1]; });
+    for (std::size_t p = 1; p < begin.size(); ++p) begin[p] += begin[p - 1];
+    std::vector<PlacedSide> sides(begin.back());
+    std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
+    for_each_side([&](const PlacedSide& side) { sides[next[side.top.index()]++] = side; });
+    return sides;
+  }
+
   void collect_edges() {
-    std::vector<PlacedSide> sides;
-    for (std::size_t f = 0; f < mesh_.facet_count(); ++f) add_sides(FacetId(f), sides);
-    std::stable_sort(sides.begin(), sides.end(), [](const PlacedSide& a, const PlacedSide& b) {
-      return a.top != b.top ? a.top < b.top : a.bottom < b.bottom;
-    });
-    for (const PlacedSide& side : sides) {
-      if (scene_.edges.empty() || scene_.edges.back().top != side.top || scene_.edges.back().bottom != side.bottom) {
-        scene_.edges.push_back({side.top, side.bottom, static_cast<std::uint32_t>(scene_.sides.size())});
-      }
-      scene_.sides.push_back(side.side);
+    std::vector<std::uint32_t> begin;
+    std::vector<PlacedSide> sides = sides_by_top(begin);
+    scene_.sides.reserve(sides.size());
+    for (std::size_t p = 0; p + 1 < begin.size(); ++p) {
+      const auto of_top = std::span(sides).subspan(begin[p], begin[p + 1] - begin[p]);
+      std::ranges::stable_sort(of_top, {}, &PlacedSide::bottom);
+      for (const PlacedSide& side : of_top) add_side(side);
     }
     scene_.edges.push_back({PointId{}, PointId{}, static_cast<std::uint32_t>(scene_.sides.size())});
   }
 
+  void add_side(const PlacedSide& side) {
+    if (scene_.edges.empty() || scene_.edges.back().top != side.top || scene_.edges.back().bottom != side.bottom) {
+      scene_.edges.push_back({side.top, side.bottom, static_cast<std::uint32_t>(scene_.sides.size())});
+    }
+    scene_.sides.push_back(side.side);
+  }
+
   const Mesh& mesh_;
   std::vector<ProjectedVertex> projected_;
-  std::vector<PlacedCorner> placed_;
+  std::vector<PointId> point_of_vertex_;  // valid once a facet in view has the vertex
+  std::vector<Place> places_;
   ProjectedScene scene_;
 };
 

@@ -10,9 +10,9 @@ namespace sightline {
 
 EdgePoints::EdgePoints(const Mesh& mesh, const ProjectedScene& scene, const VisibleSegments& segments,
                        const ImagePoints& points, std::vector<Point3>& vertices)
-    : in_view_(mesh.edges.size()), begin_(mesh.edges.size() + 1, 0) {
-  find_in_view(mesh, scene);
+    : slot_(mesh.edges.size(), 0), begin_(mesh.edges.size() + 1, 0) {
   auto found = candidates(scene, segments);
+  find_in_view(mesh, scene, found);
   std::sort(found.begin(), found.end(), [&](const Candidate& a, const Candidate& b) {
     if (a.edge != b.edge) return a.edge < b.edge;
     if (a.point != b.point) return before_on_edge(a, b, points);
@@ -39,19 +39,26 @@ VertexId EdgePoints::vertex(MeshEdgeId edge, PointId p) const {
 }
 
 // A facet runs along its edges from corner to corner; clipping keeps that direction.
-void EdgePoints::find_in_view(const Mesh& mesh, const ProjectedScene& scene) {
+void EdgePoints::find_in_view(const Mesh& mesh, const ProjectedScene& scene, const std::vector<Candidate>& found) {
+  for (const Candidate& candidate : found) {
+    std::uint32_t& slot = slot_[candidate.edge.index()];
+    if (slot != 0) continue;
+    in_view_.emplace_back();
+    slot = static_cast<std::uint32_t>(in_view_.size());
+  }
+  if (in_view_.empty()) return;
   for (std::size_t f = 0; f < mesh.facet_count(); ++f) {
     const auto corners = mesh.corners(FacetId(f));
     const auto edges = mesh.edges_of(FacetId(f));
     const auto polygon = scene.polygon(FacetId(f));
     for (std::size_t i = 0; i < polygon.size(); ++i) {
       const MeshEdgeId e = polygon[i].edge_after;
-      if (!e.valid()) continue;
+      if (!e.valid() || slot_[e.index()] == 0) continue;
       const auto place = static_cast<std::size_t>(std::find(edges.begin(), edges.end(), e) - edges.begin());
       const bool forward = mesh.weld[corners[place].index()] == mesh.edges[e.index()][0];
       const ClippedCorner* from = &polygon[i];
       const ClippedCorner* to = &polygon[i + 1 == polygon.size() ? 0 : i + 1];
-      in_view_[e.index()] = forward ? InView{from, to} : InView{to, from};
+      in_view_[slot_[e.index()] - 1] = forward ? InView{from, to} : InView{to, from};
     }
   }
 }
@@ -70,14 +77,14 @@ std::vector<EdgePoints::Candidate> EdgePoints::candidates(const ProjectedScene& 
 
 // What is in view of an edge is one straight piece, and its points lie on it in sweep order or in the opposite order.
 bool EdgePoints::before_on_edge(const Candidate& a, const Candidate& b, const ImagePoints& points) const {
-  const InView& view = in_view_[a.edge.index()];
+  const InView& view = in_view(a.edge);
   const bool downwards = view.from == nullptr || points.sweeps_before(view.from->point, view.to->point);
   return downwards ? points.sweeps_before(a.point, b.point) : points.sweeps_before(b.point, a.point);
 }
 
 Point3 EdgePoints::position(const Candidate& c, const ProjectedScene& scene, const ImagePoints& points) const {
   if (c.cut != nullptr) return c.cut->position;
-  const InView& view = in_view_[c.edge.index()];
+  const InView& view = in_view(c.edge);
   return lift_on_edge(scene, points, *view.from, *view.to, c.point);
 }
 

@@ -48,11 +48,14 @@ class EdgePoints {
     const ClippedCorner* cut = nullptr;  // where clipping made it
   };
 
-  void find_in_view(const Mesh& mesh, const ProjectedScene& scene);
+  void find_in_view(const Mesh& mesh, const ProjectedScene& scene, const std::vector<Candidate>& found);
   [[nodiscard]] static std::vector<Candidate> candidates(const ProjectedScene& scene, const VisibleSegments& segments);
   [[nodiscard]] bool before_on_edge(const Candidate& a, const Candidate& b, const ImagePoints& points) const;
   [[nodiscard]] Point3 position(const Candidate& c, const ProjectedScene& scene, const ImagePoints& points) const;
 
+  [[nodiscard]] const InView& in_view(MeshEdgeId edge) const { return in_view_[slot_[edge.index()] - 1]; }
+
+  std::vector<std::uint32_t> slot_;  // per edge: one more than its place in in_view_; 0: it has no points
   std::vector<InView> in_view_;
   std::vector<std::uint32_t> begin_;
   std::vector<EdgePoint> points_;

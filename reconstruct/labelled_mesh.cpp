@@ -39,6 +39,7 @@ class Labeller {
   }
 
   LabelledMesh run() {
+    result_.triangles.reserve(mesh_.facet_count());
     for (FacetId surface(0); surface.index() < mesh_.facet_count(); surface = end_of_surface(mesh_, surface)) {
       add_surface(surface.index(), end_of_surface(mesh_, surface).index());
     }
@@ -49,21 +50,28 @@ class Labeller {
  private:
   // A split of a line between two facets of one planar face may turn out to be no border of anything.
   void drop_unused_vertices() {
-    std::vector<std::uint8_t> used(result_.vertices.size(), 0);
-    std::fill_n(used.begin(), mesh_.input_vertex_count(), std::uint8_t{1});
-    for (const LabelledTriangle& t : result_.triangles) {
-      for (const VertexId v : t.corners) used[v.index()] = 1;
-    }
+    const std::size_t input = mesh_.input_vertex_count();
+    std::vector<std::uint8_t> used(result_.vertices.size() - input, 0);
+    for_each_new_vertex([&](const VertexId& v) { used[v.index() - input] = 1; });
+    if (std::ranges::count(used, 0) == 0) return;
     std::vector<VertexId> renamed(used.size());
-    std::size_t kept = 0;
-    for (std::size_t v = 0; v < used.size(); ++v) {
-      if (used[v] == 0) continue;
-      result_.vertices[kept] = result_.vertices[v];
-      renamed[v] = VertexId(kept++);
+    std::size_t kept = input;
+    for (std::size_t i = 0; i < used.size(); ++i) {
+      if (used[i] == 0) continue;
+      result_.vertices[kept] = result_.vertices[input + i];
+      renamed[i] = VertexId(kept++);
     }
     result_.vertices.resize(kept);
+    for_each_new_vertex([&](VertexId& v) { v = renamed[v.index() - input]; });
+  }
+
+  template <class Visit>
+  void for_each_new_vertex(Visit visit) {
+    const std::size_t input = mesh_.input_vertex_count();
     for (LabelledTriangle& t : result_.triangles) {
-      for (VertexId& v : t.corners) v = renamed[v.index()];
+      for (VertexId& v : t.corners) {
+        if (v.index() >= input) visit(v);
+      }
     }
   }
 
@@ -73,9 +81,9 @@ class Labeller {
   void add_surface(std::size_t begin, std::size_t end) {
     const FacetId surface(begin);
     inner_.begin(surface);
-    const std::vector<SegmentId> visible = visible_segments_of(surface);
-    const bool all_proper = end - begin > 1 || is_proper(mesh_, scene_, surface);
-    bool seen = !visible.empty() && all_proper;
+    find_visible_segments_of(surface);
+    const std::vector<SegmentId>& visible = visible_;
+    bool seen = !visible.empty() && (end - begin > 1 || is_proper(mesh_, scene_, surface));
     const auto reflecting = reflecting_on(surface);
     if (seen && (!reflecting.empty() || !is_whole(visible, begin, end))) {
       if (add_partly_visible(begin, end, visible, reflecting)) return;
@@ -114,7 +122,7 @@ class Labeller {
     return scene_.status[f.index()] == Status::in_view ? Label::hidden : Label::out_of_view;
   }
 
-  // Of the surface's area in view. Precondition: visible_segments_of was called for it last.
+  // Of the surface's area in view. Precondition: find_visible_segments_of was called for it last.
   [[nodiscard]] bool is_mostly_visible(std::size_t begin, std::size_t end) const {
     double visible = 0;
     for (std::size_t p = next_polygon_; p > 0 && polygons_.polygons[p - 1].facet.index() == begin; --p) {
@@ -132,8 +140,8 @@ class Labeller {
   }
 
   // Of the polygons above resolution. Polygons are sorted by their surface.
-  std::vector<SegmentId> visible_segments_of(FacetId surface) {
-    std::vector<SegmentId> result;
+  void find_visible_segments_of(FacetId surface) {
+    visible_.clear();
     const auto& all = polygons_.polygons;
     while (next_polygon_ < all.size() && all[next_polygon_].facet < surface) ++next_polygon_;
     for (; next_polygon_ < all.size() && all[next_polygon_].facet == surface; ++next_polygon_) {
@@ -141,10 +149,9 @@ class Labeller {
       if (polygon.below_resolution) continue;
       for (std::size_t r = polygon.first_ring; r < polygon.first_ring + polygon.ring_count; ++r) {
         const auto ring = polygons_.ring(r);
-        result.insert(result.end(), ring.begin(), ring.end());
+        visible_.insert(visible_.end(), ring.begin(), ring.end());
       }
     }
-    return result;
   }
 
   // A ring that runs along the border of one convex polygon only is that border.
@@ -167,7 +174,7 @@ class Labeller {
     const bool in_view = scene_.status[f.index()] == Status::in_view;
     const Label inside = uniform_label(f, seen);
     if (!in_view || !is_clipped(f) || (!front && !seen)) {
-      add_convex(f, facet_border(mesh_, edge_points_, f), inside, seen);
+      add_whole_facet(f, inside, seen);
       return;
     }
     std::vector<BorderPoint> border;
@@ -232,6 +239,19 @@ class Labeller {
     }
   }
 
+  // A triangle whose edges nothing splits stays as it is.
+  void add_whole_facet(FacetId f, Label label, bool seen) {
+    const auto edges = mesh_.edges_of(f);
+    const bool is_split =
+        std::any_of(edges.begin(), edges.end(), [this](MeshEdgeId e) { return !edge_points_.on(e).empty(); });
+    if (edges.size() == 3 && !is_split) {
+      const auto corners = mesh_.corners(f);
+      add_triangle(f, {corners[0], corners[1], corners[2]}, label, seen);
+    } else {
+      add_convex(f, facet_border(mesh_, edge_points_, f), label, seen);
+    }
+  }
+
   void add_convex(FacetId f, const std::vector<BorderPoint>& border, Label label, bool seen) {
     std::vector<std::uint32_t> sides;
     for (const BorderPoint& p : border) sides.push_back(p.side);
@@ -254,6 +274,7 @@ class Labeller {
   SurfaceVertices inner_;
   std::vector<EdgeSplit> border_splits_;       // along the view volume's border, by facet
   std::vector<ReflectingSegment> reflecting_;  // by surface, then by panel
+  std::vector<SegmentId> visible_;             // of the current surface
   std::size_t next_polygon_ = 0;
 };
 

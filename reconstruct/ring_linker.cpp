@@ -27,6 +27,15 @@ bool angle_before(const ImagePoint& a, const ImagePoint& b) {
   return cross(a, b) > 0;
 }
 
+// From the segment's start to its end, along its edge: exact, whatever points the ends are.
+ImagePoint direction_of(const ProjectedScene& scene, const VisibleSegment& segment, const SweepOrder& order) {
+  const SceneEdge& e = scene.edge(segment.edge);
+  const ImagePoint& top = scene.point(e.top);
+  const ImagePoint& bottom = scene.point(e.bottom);
+  const bool down = order(segment.start, segment.end);
+  return down ? ImagePoint{bottom.x - top.x, bottom.y - top.y} : ImagePoint{top.x - bottom.x, top.y - bottom.y};
+}
+
 class RingLinker {
  public:
   RingLinker(const ProjectedScene& scene, const VisibleSegments& segments, std::span<const SegmentId> ids)
@@ -47,14 +56,7 @@ class RingLinker {
  private:
   [[nodiscard]] const VisibleSegment& segment(std::size_t i) const { return segments_.segments[ids_[i].index()]; }
 
-  // From the segment's start to its end, along its edge: exact, whatever points the ends are.
-  [[nodiscard]] ImagePoint direction(std::size_t i) const {
-    const SceneEdge& e = scene_.edge(segment(i).edge);
-    const ImagePoint& top = scene_.point(e.top);
-    const ImagePoint& bottom = scene_.point(e.bottom);
-    const bool down = order_(segment(i).start, segment(i).end);
-    return down ? ImagePoint{bottom.x - top.x, bottom.y - top.y} : ImagePoint{top.x - bottom.x, top.y - bottom.y};
-  }
+  [[nodiscard]] ImagePoint direction(std::size_t i) const { return direction_of(scene_, segment(i), order_); }
 
   void collect_spokes() {
     for (std::size_t i = 0; i < ids_.size(); ++i) {
@@ -144,7 +146,33 @@ class RingLinker {
   std::vector<std::uint8_t> shared_;  // per segment: more than one segment starts where it starts
 };
 
+constexpr std::size_t most_in_single_ring = 16;
+
 }  // namespace
+
+SingleRing single_ring(const ProjectedScene& scene, const VisibleSegments& segments, const SweepOrder& order,
+                       std::span<const SegmentId> of_surface) {
+  const std::size_t n = of_surface.size();
+  if (n < 3 || n > most_in_single_ring) return {};
+  const auto segment = [&](SegmentId s) -> const VisibleSegment& { return segments.segments[s.index()]; };
+  SingleRing ring;
+  ring.segments.assign(of_surface.begin(), of_surface.end());
+  const auto start_of = [&](SegmentId s) { return segment(s).start; };
+  std::iter_swap(ring.segments.begin(), std::ranges::min_element(ring.segments, order, start_of));
+  const PointId top = start_of(ring.segments.front());
+  for (auto rest = ring.segments.begin() + 1; rest != ring.segments.end(); ++rest) {
+    const PointId end = segment(*(rest - 1)).end;
+    const auto leaves = [&](SegmentId s) { return start_of(s) == end; };
+    const auto next = std::find_if(rest, ring.segments.end(), leaves);
+    if (end == top || next == ring.segments.end() || std::any_of(next + 1, ring.segments.end(), leaves)) return {};
+    std::iter_swap(rest, next);
+  }
+  const VisibleSegment& first = segment(ring.segments.front());
+  const VisibleSegment& last = segment(ring.segments.back());
+  if (last.end != top) return {};
+  ring.outer = cross(direction_of(scene, last, order), direction_of(scene, first, order)) > 0;
+  return ring;
+}
 
 std::vector<Walk> link_rings(const ProjectedScene& scene, const VisibleSegments& segments,
                              std::span<const SegmentId> of_surface) {

@@ -13,6 +13,7 @@
 // Source: Fang 1993, 5.3.1, "Polygon Reconstruction".
 #pragma once
 
+#include <boost/container/small_vector.hpp>
 #include <span>
 #include <vector>
 
@@ -31,6 +32,16 @@ struct Walk {
   PointId top;                    // the first point in sweep order
   [[nodiscard]] bool has_outer() const { return !rings.empty() && rings.front().outer; }
 };
+
+// A few segments that are one ring which visits no point twice, as most surfaces have: in ring order from the first point
+// in sweep order on; empty where they are not.
+using SmallRing = boost::container::small_vector<SegmentId, 8>;
+struct SingleRing {
+  SmallRing segments;
+  bool outer = false;
+};
+[[nodiscard]] SingleRing single_ring(const ProjectedScene& scene, const VisibleSegments& segments,
+                                     const SweepOrder& order, std::span<const SegmentId> of_surface);
 
 [[nodiscard]] std::vector<Walk> link_rings(const ProjectedScene& scene, const VisibleSegments& segments,
                                            std::span<const SegmentId> of_surface);

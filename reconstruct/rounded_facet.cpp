@@ -33,6 +33,11 @@ std::vector<ImagePoint> turning_points(const Mesh& mesh, const ProjectedScene& s
 
 bool is_proper(const Mesh& mesh, const ProjectedScene& scene, FacetId facet) {
   const Sign turn = scene.facing[facet.index()] == Facing::back ? -1 : 1;
+  const auto polygon = scene.polygon(facet);
+  if (polygon.size() == 3 && mesh.corners(facet).size() == 3) {
+    return orientation(scene.point(polygon[0].point), scene.point(polygon[1].point), scene.point(polygon[2].point)) ==
+           turn;
+  }
   const std::vector<ImagePoint> p = turning_points(mesh, scene, facet);
   bool turns = false;
   int descents = 0;  // how often the border begins to run down the sweep order: once around a convex polygon

@@ -92,25 +92,31 @@ class Reconstruction {
       : mesh_(mesh), scene_(scene), segments_(segments), points_(scene, segments), order_(scene, segments) {}
 
   VisiblePolygons run() {
-    const auto by_surface = sorted_segments();
+    const std::vector<SegmentId> by_surface = sorted_segments();
     const auto threads = sorted_threads();
     for (std::size_t begin = 0; begin < by_surface.size();) {
-      const FacetId surface = by_surface[begin].first;
-      std::vector<SegmentId> ids;
-      for (; begin < by_surface.size() && by_surface[begin].first == surface; ++begin)
-        ids.push_back(by_surface[begin].second);
-      add_surface(surface, ids, threads);
+      const FacetId surface = surface_of_segment(by_surface[begin]);
+      std::size_t end = begin + 1;
+      while (end < by_surface.size() && surface_of_segment(by_surface[end]) == surface) ++end;
+      add_surface(surface, std::span(by_surface).subspan(begin, end - begin), threads);
+      begin = end;
     }
     return std::move(result_);
   }
 
  private:
-  [[nodiscard]] std::vector<std::pair<FacetId, SegmentId>> sorted_segments() const {
-    std::vector<std::pair<FacetId, SegmentId>> sorted;
-    for (std::size_t s = 0; s < segments_.segments.size(); ++s) {
-      sorted.emplace_back(surface_of(mesh_, segments_.segments[s].facet), SegmentId(s));
-    }
-    std::sort(sorted.begin(), sorted.end());
+  [[nodiscard]] FacetId surface_of_segment(SegmentId s) const {
+    return surface_of(mesh_, segments_.segments[s.index()].facet);
+  }
+
+  // By surface; those of one surface stay in their order.
+  [[nodiscard]] std::vector<SegmentId> sorted_segments() const {
+    std::vector<std::uint32_t> next(mesh_.facet_count() + 1, 0);
+    for (std::size_t s = 0; s < segments_.segments.size(); ++s) ++next[surface_of_segment(SegmentId(s)).index() + 1];
+    for (std::size_t f = 1; f < next.size(); ++f) next[f] += next[f - 1];
+    std::vector<SegmentId> sorted(segments_.segments.size());
+    for (std::size_t s = 0; s < sorted.size(); ++s)
+      sorted[next[surface_of_segment(SegmentId(s)).index()]++] = SegmentId(s);
     return sorted;
   }
 
@@ -124,6 +130,14 @@ class Reconstruction {
   }
 
   void add_surface(FacetId surface, std::span<const SegmentId> ids, std::span<const Thread> threads) {
+    const SingleRing single = single_ring(scene_, segments_, order_, ids);
+    if (single.outer) {
+      Measure total;
+      const auto first_ring = static_cast<std::uint32_t>(result_.ring_count());
+      add_ring({single.segments.data(), single.segments.size()}, total);
+      finish_polygon(surface, first_ring, total);
+      return;
+    }
     const auto [first, last] = std::equal_range(
         threads.begin(), threads.end(), Thread{{}, surface, {}},
         [this](const Thread& a, const Thread& b) { return surface_of(mesh_, a.facet) < surface_of(mesh_, b.facet); });
@@ -132,19 +146,27 @@ class Reconstruction {
   }
 
   void add_polygon(FacetId surface, const std::vector<LinkedRing>& rings) {
+    const auto first_ring = static_cast<std::uint32_t>(result_.ring_count());
+    Measure total;
+    for (const LinkedRing& ring : rings) add_ring(ring.segments, total);
+    finish_polygon(surface, first_ring, total);
+  }
+
+  void add_ring(std::span<const SegmentId> ring, Measure& total) {
+    const Measure m = measure(points_, segments_, ring);
+    total.twice_area += m.twice_area;
+    total.perimeter += m.perimeter;
+    result_.ring_segments.insert(result_.ring_segments.end(), ring.begin(), ring.end());
+    result_.ring_begin.push_back(static_cast<std::uint32_t>(result_.ring_segments.size()));
+  }
+
+  // Of the rings from first_ring on.
+  void finish_polygon(FacetId surface, std::uint32_t first_ring, const Measure& total) {
     VisiblePolygon polygon;
     polygon.facet = surface;
     polygon.face = mesh_.facet_face[surface.index()];
-    polygon.first_ring = static_cast<std::uint32_t>(result_.ring_count());
-    polygon.ring_count = static_cast<std::uint32_t>(rings.size());
-    Measure total;
-    for (const LinkedRing& ring : rings) {
-      const Measure m = measure(points_, segments_, ring.segments);
-      total.twice_area += m.twice_area;
-      total.perimeter += m.perimeter;
-      result_.ring_segments.insert(result_.ring_segments.end(), ring.segments.begin(), ring.segments.end());
-      result_.ring_begin.push_back(static_cast<std::uint32_t>(result_.ring_segments.size()));
-    }
+    polygon.first_ring = first_ring;
+    polygon.ring_count = static_cast<std::uint32_t>(result_.ring_count()) - first_ring;
     polygon.below_resolution = total.twice_area < total.perimeter;
     polygon.area = std::ldexp(total.twice_area / 2, -2 * scene_.grid_bits);
     polygon.perimeter = std::ldexp(total.perimeter, -scene_.grid_bits);

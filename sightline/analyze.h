@@ -11,7 +11,7 @@
 #include "reconstruct/visible_polygons.h"
 #include "reflect/reflecting_triangles.h"
 #include "reflect/reflections.h"
-#include "sweep/sweep.h"
+#include "sweep/engine.h"
 #include "sweep/visible_segments.h"
 
 namespace sightline {
@@ -26,10 +26,11 @@ struct View {
 
 // The mesh's facets do not pass through each other: cut_along_common_lines sees to that.
 [[nodiscard]] inline View analyze(const Mesh& mesh, const Camera& camera, Sides sides = Sides::both,
-                                  SweepObserver* observer = nullptr, const Precision& precision = {}) {
+                                  SweepObserver* observer = nullptr, const Precision& precision = {},
+                                  Engine engine = Engine::fast) {
   View view;
   view.scene = project(mesh, camera, sides, precision);
-  view.segments = sweep(mesh, view.scene, observer);
+  view.segments = find_visible_segments(mesh, view.scene, engine, observer);
   view.polygons = reconstruct_polygons(mesh, view.scene, view.segments);
   view.labelled = label_mesh(mesh, view.scene, view.segments, view.polygons);
   return view;
@@ -41,7 +42,7 @@ struct View {
   const Mesh& mesh = *world.surface;
   View view;
   view.scene = project(mesh, camera, sides, precision);
-  view.segments = sweep(mesh, view.scene);
+  view.segments = find_visible_segments(mesh, view.scene);
   view.polygons = reconstruct_polygons(mesh, view.scene, view.segments);
   if (world.options.mode == ReflectionMode::triangles) {
     view.labelled = label_mesh(mesh, view.scene, view.segments, view.polygons);

@@ -8,14 +8,13 @@
 namespace sightline {
 
 DepthOrder::DepthOrder(const Mesh& mesh, const ProjectedScene& scene)
-    : mesh_(mesh), arithmetic_(scene.arithmetic), eye_(scene.camera.eye), facing_(scene.facing), pieces_(mesh, scene) {
-  const std::size_t wholes = mesh.is_cut() ? mesh.cuts.wholes.size() : mesh.facet_count();
-  planes_.reserve(wholes);
-  for (std::size_t w = 0; w < wholes; ++w) {
-    planes_.push_back(plane_corners(mesh, first_facet(WholeId(w))));
-    if (is_turned(WholeId(w))) std::swap(planes_.back()[1], planes_.back()[2]);
-  }
-}
+    : mesh_(mesh),
+      arithmetic_(scene.arithmetic),
+      eye_(scene.camera.eye),
+      facing_(scene.facing),
+      pieces_(mesh, scene),
+      ranges_(scene.arithmetic == Arithmetic::exact ? depth_ranges(scene) : std::vector<DepthRange>{}),
+      planes_(mesh.whole_count()) {}
 
 // A mesh that was not cut has its facets whole.
 WholeId DepthOrder::whole_of(FacetId f) const {
@@ -34,6 +33,8 @@ bool DepthOrder::is_turned(WholeId w) const { return facing_[first_facet(w).inde
 
 bool DepthOrder::nearer(FacetId f, FacetId g) {
   ++comparisons_;
+  if (!ranges_.empty() && ranges_[f.index()].farthest < ranges_[g.index()].nearest) return true;
+  if (!ranges_.empty() && ranges_[g.index()].farthest < ranges_[f.index()].nearest) return false;
   return f < g ? lower_is_nearer(f, g) : !lower_is_nearer(g, f);
 }
 
@@ -116,8 +117,17 @@ Sign DepthOrder::side_towards_eye(WholeId plane, VertexId v) {
   for (const VertexId corner : corners(plane)) {
     if (mesh_.weld[corner.index()] == welded) return 0;
   }
-  const auto& [a, b, c] = planes_[plane.index()];
+  const auto& [a, b, c] = plane_of(plane);
   return orientation(a, b, c, {mesh_.position(v), 1});
+}
+
+const std::array<VertexId, 3>& DepthOrder::plane_of(WholeId w) {
+  std::array<VertexId, 3>& plane = planes_[w.index()];
+  if (!plane[0].valid()) {
+    plane = plane_corners(mesh_, first_facet(w));
+    if (is_turned(w)) std::swap(plane[1], plane[2]);
+  }
+  return plane;
 }
 
 // +1 where the eye sees a, b, c counter-clockwise.

@@ -6,7 +6,8 @@
 // planar; so the answer does not depend on the place. nearer(f, g) != nearer(g, f). Coplanar facets: the lower face index
 // is in front. Pieces of facets that were cut along common lines have the order of the wholes, or, where these cross, one
 // of their own (piece_order.h).
-// Method: if all of one facet is on one side of the other's plane, that side decides. Otherwise they straddle each
+// Method: if all of one facet is less deep than all of the other (depth_ranges.h), it is nearer. If all of one facet is on
+// one side of the other's plane, that side decides. Otherwise they straddle each
 // other's planes, and a place where they overlap is found: a corner of one within the other, or edges of both that
 // cross, seen from the eye. Such a place shows the order by one orient3d. Facets that overlap in the rounded image only
 // (narrower than the grid) show no place; the lower facet index is in front.
@@ -23,6 +24,7 @@
 #include "geometry/mesh.h"
 #include "geometry/predicates.h"
 #include "geometry/projected_scene.h"
+#include "sweep/depth_ranges.h"
 #include "sweep/piece_order.h"
 
 namespace sightline {
@@ -57,6 +59,8 @@ class DepthOrder {
   [[nodiscard]] Evidence overlap_evidence(WholeId f, WholeId g);
   [[nodiscard]] bool covers(WholeId f, VertexId v);
   void add_edge_crossings(WholeId f, WholeId g, Evidence& evidence);
+  // Three corners, so turned that the eye sees them counter-clockwise.
+  [[nodiscard]] const std::array<VertexId, 3>& plane_of(WholeId w);
   [[nodiscard]] Sign side_towards_eye(WholeId plane, VertexId v);
   [[nodiscard]] Sign seen_orientation(VertexId a, VertexId b, VertexId c);
   [[nodiscard]] Sign orientation(VertexId a, VertexId b, VertexId c, const HomogeneousPoint& d);
@@ -66,7 +70,8 @@ class DepthOrder {
   HomogeneousPoint eye_;
   const std::vector<Facing>& facing_;
   PieceOrder pieces_;
-  // Per whole: three corners, so turned that the eye sees them counter-clockwise.
+  const std::vector<DepthRange> ranges_;  // per facet; none where the arithmetic is not exact
+  // Per whole, once it was asked for.
   std::vector<std::array<VertexId, 3>> planes_;
   predicates::Counts counts_;
   std::uint64_t comparisons_ = 0;

@@ -4,6 +4,7 @@
 
 #include "geometry/errors.h"
 #include "geometry/facet_plane.h"
+#include "sweep/image_decisions.h"
 
 namespace sightline {
 
@@ -17,8 +18,9 @@ void SegmentRecorder::at(const NamedPoint& point, std::span<const AboveSegment> 
   if (!end_point_surfaces_.empty()) {
     std::sort(end_point_surfaces_.begin(), end_point_surfaces_.end());
     end_kept_at_end_points(below, active);
-    emit(point, below, active);
-    if (above.empty() && left.valid()) add_thread(id_of(point), left, below.front(), active);
+    name(point, below, active);
+    emit(below, active);
+    if (above.empty() && left.valid()) add_thread(left, below.front(), active);
   }
   for (const BundleId b : below) active.visibility_changed(b);
 }
@@ -112,58 +114,79 @@ bool SegmentRecorder::has_end_point(FacetId facet) const {
   return std::binary_search(end_point_surfaces_.begin(), end_point_surfaces_.end(), surface_of(mesh_, facet));
 }
 
-void SegmentRecorder::emit(const NamedPoint& point, std::span<const BundleId> below, ActiveEdgeList& active) {
-  const PointId p = id_of(point);
+void SegmentRecorder::name(const NamedPoint& point, std::span<const BundleId> below, const ActiveEdgeList& active) {
+  point_ = point.vertex;
+  if (point_.valid()) return;
+  point_ = PointId(scene_.points.size() + result_.crossings.size());
+  const bool exact = scene_.arithmetic == Arithmetic::exact;
+  result_.crossings.push_back(exact ? crossing_of_carriers(point.crossing.after, below, active) : point.crossing);
+}
+
+// Depends on what is seen alone: nothing starts or ends along one line only. In float and double edges may seem to meet
+// here that do not cross at all, and only those that the sweep found to cross are safe names.
+Crossing SegmentRecorder::crossing_of_carriers(PointId after, std::span<const BundleId> below,
+                                               const ActiveEdgeList& active) const {
+  std::vector<EdgeId> carriers;
+  for (const AboveSegment& ending : ending_) carriers.push_back(ending.open.edge);
+  for (const BundleId b : below) {
+    for (const OpenSegment* open : {&active[b].left_segment, &active[b].right_segment}) {
+      if (open->facet.valid() && !open->segment.valid()) carriers.push_back(open->edge);
+    }
+  }
+  std::sort(carriers.begin(), carriers.end());
+  const auto direction = [this](EdgeId e) {
+    return ExactDecisions::direction(scene_.point(scene_.edge(e).top), scene_.point(scene_.edge(e).bottom));
+  };
+  const auto other = std::find_if(carriers.begin(), carriers.end(), [&](EdgeId e) {
+    return ExactDecisions::turn(direction(carriers.front()), direction(e)) != 0;
+  });
+  if (other == carriers.end())
+    throw InternalError("what is seen changes along edge " + std::to_string(carriers.front().value) + " only");
+  return {carriers.front(), *other, after};
+}
+
+void SegmentRecorder::emit(std::span<const BundleId> below, ActiveEdgeList& active) {
   for (const AboveSegment& ending : ending_) {
     VisibleSegment& segment = result_.segments[ending.open.segment.index()];
-    (ending.left_of_edge ? segment.start : segment.end) = p;
+    (ending.left_of_edge ? segment.start : segment.end) = point_;
   }
   for (const BundleId b : below) {
-    start(active[b].left_segment, true, p);
-    start(active[b].right_segment, false, p);
+    start(active[b].left_segment, true);
+    start(active[b].right_segment, false);
   }
-  split_edges(p, below, active);
+  split_edges(below, active);
 }
 
 // The face lies to the left of its segment: left of an edge the segment runs upwards, right of it downwards (Fang's
 // figure 5.4).
-void SegmentRecorder::start(OpenSegment& open, bool left_of_edge, PointId p) {
+void SegmentRecorder::start(OpenSegment& open, bool left_of_edge) {
   if (!open.facet.valid() || open.segment.valid()) return;
   open.segment = SegmentId(result_.segments.size());
   VisibleSegment segment{{}, {}, open.facet, open.other, open.edge};
-  (left_of_edge ? segment.end : segment.start) = p;
+  (left_of_edge ? segment.end : segment.start) = point_;
   result_.segments.push_back(segment);
 }
 
-void SegmentRecorder::split_edges(PointId p, std::span<const BundleId> below, const ActiveEdgeList& active) {
+void SegmentRecorder::split_edges(std::span<const BundleId> below, const ActiveEdgeList& active) {
   for (const BundleId b : below) {
     for (const EdgeId e : active[b].edges) {
-      if (scene_.edge(e).top == p) continue;
+      if (scene_.edge(e).top == point_) continue;
       for (const EdgeSide& side : scene_.sides_of(e)) {
-        if (has_end_point(side.facet)) result_.splits.push_back({side.mesh_edge, side.facet, e, p});
+        if (has_end_point(side.facet)) result_.splits.push_back({side.mesh_edge, side.facet, e, point_});
       }
     }
   }
 }
 
 // Nothing was visible along the bundles above, and a face lies around the point: what starts here may be a hole in it.
-void SegmentRecorder::add_thread(PointId p, FacetId left, BundleId first_below, const ActiveEdgeList& active) {
+void SegmentRecorder::add_thread(FacetId left, BundleId first_below, const ActiveEdgeList& active) {
   const BundleId b = active.nearest_visible_before(first_below);
   if (!b.valid() || !active[b].right_segment.segment.valid() ||
       surface_of(mesh_, active[b].right_segment.facet) != surface_of(mesh_, left)) {
     throw InternalError("no visible segment of face " + std::to_string(mesh_.facet_face[left.index()].value) +
-                        " bounds it left of sweep point " + std::to_string(p.value));
+                        " bounds it left of sweep point " + std::to_string(point_.value));
   }
-  result_.threads.push_back({p, left, active[b].right_segment.segment});
-}
-
-PointId SegmentRecorder::id_of(const NamedPoint& point) {
-  if (point.vertex.valid()) return point.vertex;
-  if (result_.crossings.empty() || result_.crossings.back().a != point.crossing.a ||
-      result_.crossings.back().b != point.crossing.b) {
-    result_.crossings.push_back(point.crossing);
-  }
-  return PointId(scene_.points.size() + result_.crossings.size() - 1);
+  result_.threads.push_back({point_, left, active[b].right_segment.segment});
 }
 
 }  // namespace sightline

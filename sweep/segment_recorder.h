@@ -26,10 +26,10 @@ struct AboveSegment {
   bool left_of_edge = false;
 };
 
-// A sweep point as the result names it.
+// Where the sweep is: at a vertex, or, where that is invalid, at the crossing of two edges.
 struct NamedPoint {
   PointId vertex;
-  Crossing crossing;  // where vertex is invalid
+  Crossing crossing;
 };
 
 class SegmentRecorder {
@@ -53,17 +53,20 @@ class SegmentRecorder {
   void note_starts(std::span<const BundleId> below, const ActiveEdgeList& active);
   void end_kept_at_end_points(std::span<const BundleId> below, ActiveEdgeList& active);
   [[nodiscard]] bool has_end_point(FacetId facet) const;
-  void emit(const NamedPoint& point, std::span<const BundleId> below, ActiveEdgeList& active);
-  void start(OpenSegment& open, bool left_of_edge, PointId p);
-  void split_edges(PointId p, std::span<const BundleId> below, const ActiveEdgeList& active);
-  void add_thread(PointId p, FacetId left, BundleId first_below, const ActiveEdgeList& active);
-  PointId id_of(const NamedPoint& point);
+  void emit(std::span<const BundleId> below, ActiveEdgeList& active);
+  void start(OpenSegment& open, bool left_of_edge);
+  void split_edges(std::span<const BundleId> below, const ActiveEdgeList& active);
+  void add_thread(FacetId left, BundleId first_below, const ActiveEdgeList& active);
+  void name(const NamedPoint& point, std::span<const BundleId> below, const ActiveEdgeList& active);
+  [[nodiscard]] Crossing crossing_of_carriers(PointId after, std::span<const BundleId> below,
+                                              const ActiveEdgeList& active) const;
 
   const Mesh& mesh_;
   const ProjectedScene& scene_;
   VisibleSegments& result_;
 
   // Of the current sweep point:
+  PointId point_;
   std::vector<AboveSegment> ending_;
   std::vector<FacetId> end_point_surfaces_;  // sorted once complete
 };

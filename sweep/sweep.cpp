@@ -47,6 +47,7 @@ class Sweep {
     check(active_.empty(), "edges are left over after the last sweep point");
     result_.statistics.depth_comparisons = depth_.comparisons();
     result_.statistics.predicates = depth_.counts();
+    result_.statistics.depth_is_transitive = order_ == NodeOrder::depth;
     require_real_crossings();
     std::sort(result_.splits.begin(), result_.splits.end());
     result_.splits.erase(std::unique(result_.splits.begin(), result_.splits.end()), result_.splits.end());

@@ -20,8 +20,8 @@
 
 namespace sightline {
 
-// The point where two edges cross. `after`: the scene's points before it in sweep order are exactly those with a
-// smaller id.
+// The point where two edges cross: of those that segments run along that start or end there, the lowest, and the lowest
+// with another direction. `after`: the scene's points before it in sweep order are exactly those with a smaller id.
 struct Crossing {
   EdgeId a;
   EdgeId b;
@@ -59,6 +59,7 @@ struct SweepStatistics {
       0;  // more than one vertex event or pair of edges at once, or a vertex on an edge
   std::uint64_t crossings = 0;
   std::uint64_t depth_comparisons = 0;
+  bool depth_is_transitive = true;  // false: spans were decided by tournament (node_list.h)
   predicates::Counts predicates;
 };
 

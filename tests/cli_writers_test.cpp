@@ -50,7 +50,7 @@ Analysed analysed(const std::string& scene_file, std::size_t camera) {
   result.scene = read_scene_file(std::string(SIGHTLINE_FIXTURES_DIR) + "/" + scene_file);
   result.input = read_mesh(result.scene.mesh_file, Normals::passed_over, default_memory_limit(), silent);
   result.analysis = analyze_view(result.input, make_mirror_world(result.input.mesh, result.scene.panels),
-                                 result.scene.cameras[camera], result.scene.sides, {}, silent);
+                                 result.scene.cameras[camera], {result.scene.sides, {}, Engine::fast}, silent);
   result.faces = measure_faces(result.input.mesh, result.analysis.view);
   return result;
 }

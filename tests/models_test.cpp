@@ -1,73 +1,15 @@
 // Every mesh of the optional folder of models, from three cameras: the stages' checkers, the laws, and ray casting.
 #include <doctest/doctest.h>
 
-#include <algorithm>
-#include <cstdlib>
-#include <filesystem>
-
-#include "geometry/culling.h"
 #include "geometry/interpenetration.h"
 #include "geometry/obj_reader.h"
+#include "tests/model_shots.h"
 #include "tests/oracle/labelled_laws.h"
 #include "tests/oracle/ray_caster.h"
 #include "tests/oracle/scene_changes.h"
 
 namespace sightline::oracle {
 namespace {
-
-namespace fs = std::filesystem;
-
-fs::path models_folder() {
-  const char* wanted = std::getenv("SIGHTLINE_SHARED");
-  return fs::path(wanted != nullptr ? wanted : SIGHTLINE_SHARED_DIR) / "models";
-}
-
-std::vector<fs::path> models() {
-  std::vector<fs::path> result;
-  if (!fs::exists(models_folder())) return result;
-  for (const auto& entry : fs::directory_iterator(models_folder())) {
-    if (entry.path().extension() == ".obj") result.push_back(entry.path());
-  }
-  std::sort(result.begin(), result.end());
-  return result;
-}
-
-struct Box {
-  Point3 low;
-  Point3 high;
-};
-
-Box box_of(const Mesh& mesh) {
-  Box box{mesh.vertices.front(), mesh.vertices.front()};
-  for (const Point3& p : mesh.vertices) {
-    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y), std::min(box.low.z, p.z)};
-    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y), std::max(box.high.z, p.z)};
-  }
-  return box;
-}
-
-struct Shot {
-  Camera camera;
-  Sides sides = Sides::both;
-};
-
-// All of it from the front; from within its box, with much behind the eye and across the window's border; along a
-// diagonal.
-std::vector<Shot> shots(const Mesh& mesh) {
-  const Box box = box_of(mesh);
-  const Point3 centre = 0.5 * (box.low + box.high);
-  const Vector3 extent = box.high - box.low;
-  const double size = norm(extent);
-  const auto view = [&](const Vector3& from) {
-    ViewPoint v;
-    v.eye = centre + from;
-    v.target = centre;
-    return v;
-  };
-  return {{perspective_camera("front", view(size * Vector3{0.2, 0.3, 1.5}), 40), Sides::both},
-          {perspective_camera("close", view({0.3 * extent.x, 0.2 * extent.y, 0.4 * extent.z}), 70), Sides::both},
-          {orthographic_camera("diagonal", view(size * Vector3{1, 0.8, 0.6}), 0.7 * size), Sides::front}};
-}
 
 struct RayTally {
   std::size_t on_edge = 0;
@@ -128,7 +70,7 @@ void check_stages_and_laws(const Mesh& whole, const Mesh& mesh, const View& view
 
 TEST_CASE("models: stages, laws and ray casting from three cameras") {
   if (models().empty()) MESSAGE("no models in " << models_folder().string());
-  for (const fs::path& file : models()) {
+  for (const std::filesystem::path& file : models()) {
     const Mesh whole = read_obj(file).mesh;
     const Mesh mesh = cut(whole);
     const bool closed = is_closed(whole);
@@ -159,7 +101,7 @@ Outcome shuffled_outcome(const Mesh& mesh, const Shot& shot, Dice& dice) {
 TEST_CASE("models: two runs, order and handedness change nothing") {
   constexpr std::uint64_t seed = 7;
   Dice dice(seed);
-  for (const fs::path& file : models()) {
+  for (const std::filesystem::path& file : models()) {
     const Mesh whole = read_obj(file).mesh;
     const Mesh mesh = cut(whole);
     const Shot shot = shots(whole).front();
@@ -181,7 +123,7 @@ TEST_CASE("models: two runs, order and handedness change nothing") {
 
 TEST_CASE("models: where back-facing faces may be culled, culling changes nothing") {
   int culled = 0;
-  for (const fs::path& file : models()) {
+  for (const std::filesystem::path& file : models()) {
     const Mesh mesh = read_obj(file).mesh;
     const MeshContacts contacts = find_contacts(mesh);
     for (const Shot& shot : shots(mesh)) {

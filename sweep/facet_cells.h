@@ -1,0 +1,40 @@
+// Per facet the cells of the image that it touches.
+//
+// In:  a projected scene and a grid of cells.
+// Out: per facet in view its cells, each with whether the facet is certainly over the cell's centre, before and after its
+//      corners were rounded. A few cells more than it touches are named, never one too few.
+// Complexity: O(n) and the cells.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "geometry/projected_scene.h"
+#include "sweep/cell_grid.h"
+
+namespace sightline {
+
+class FacetCell {
+ public:
+  FacetCell(CellIndex cell, bool over_centre) : bits_(cell << 1 | (over_centre ? 1U : 0U)) {}
+  [[nodiscard]] CellIndex cell() const { return bits_ >> 1; }
+  [[nodiscard]] bool over_centre() const { return (bits_ & 1U) != 0; }
+
+ private:
+  std::uint32_t bits_;
+};
+
+class FacetCells {
+ public:
+  FacetCells(const ProjectedScene& scene, const CellGrid& grid);
+
+  [[nodiscard]] std::span<const FacetCell> of(FacetId f) const {
+    return std::span(cells_).subspan(begin_[f.index()], begin_[f.index() + 1] - begin_[f.index()]);
+  }
+
+ private:
+  std::vector<std::uint32_t> begin_;  // per facet and one more
+  std::vector<FacetCell> cells_;
+};
+
+}  // namespace sightline

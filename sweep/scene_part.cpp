@@ -1,0 +1,146 @@
+#include "sweep/scene_part.h"
+
+#include <algorithm>
+
+#include "sweep/crossing_point.h"
+
+namespace sightline {
+namespace {
+
+class PartBuilder {
+ public:
+  PartBuilder(const ProjectedScene& whole, const std::vector<std::uint8_t>& kept)
+      : whole_(whole), kept_(kept), new_point_(whole.points.size()) {}
+
+  ScenePart build() {
+    copy_settings();
+    add_facets();
+    number_points();
+    add_edges();
+    return std::move(part_);
+  }
+
+ private:
+  void copy_settings() {
+    ProjectedScene& scene = part_.scene;
+    scene.camera = whole_.camera;
+    scene.sides_shown = whole_.sides_shown;
+    scene.arithmetic = whole_.arithmetic;
+    scene.grid_bits = whole_.grid_bits;
+    scene.facing = whole_.facing;
+    scene.status.assign(whole_.status.size(), Status::out_of_view);
+  }
+
+  // A point that is used is its own name until points are numbered.
+  void add_facets() {
+    ProjectedScene& scene = part_.scene;
+    for (std::size_t f = 0; f < kept_.size(); ++f) {
+      scene.polygon_begin.push_back(static_cast<std::uint32_t>(scene.polygon_corners.size()));
+      if (kept_[f] == 0) continue;
+      scene.status[f] = whole_.status[f];
+      const auto polygon = whole_.polygon(FacetId(f));
+      scene.polygon_corners.insert(scene.polygon_corners.end(), polygon.begin(), polygon.end());
+      for (const ClippedCorner& corner : polygon) new_point_[corner.point.index()] = corner.point;
+    }
+    scene.polygon_begin.push_back(static_cast<std::uint32_t>(scene.polygon_corners.size()));
+  }
+
+  void number_points() {
+    for (PointId& p : new_point_) {
+      if (!p.valid()) continue;
+      part_.point.push_back(p);
+      part_.scene.points.push_back(whole_.point(p));
+      p = PointId(part_.point.size() - 1);
+    }
+    for (ClippedCorner& corner : part_.scene.polygon_corners) corner.point = new_point_[corner.point.index()];
+  }
+
+  void add_edges() {
+    ProjectedScene& scene = part_.scene;
+    for (std::size_t e = 0; e < whole_.edge_count(); ++e) {
+      const auto first_side = static_cast<std::uint32_t>(scene.sides.size());
+      for (const EdgeSide& side : whole_.sides_of(EdgeId(e))) {
+        if (kept_[side.facet.index()] != 0) scene.sides.push_back(side);
+      }
+      if (scene.sides.size() == first_side) continue;
+      const SceneEdge& edge = whole_.edges[e];
+      scene.edges.push_back({new_point_[edge.top.index()], new_point_[edge.bottom.index()], first_side});
+      part_.edge.emplace_back(e);
+    }
+    scene.edges.push_back({PointId{}, PointId{}, static_cast<std::uint32_t>(scene.sides.size())});
+  }
+
+  const ProjectedScene& whole_;
+  const std::vector<std::uint8_t>& kept_;
+  std::vector<PointId> new_point_;
+  ScenePart part_;
+};
+
+// Gives the points of a part's sweep their ids in the whole. A vertex that the part does not have may lie where edges of
+// it cross: then the crossing is that vertex.
+class PointNames {
+ public:
+  PointNames(const ProjectedScene& whole, const ScenePart& part, std::vector<Crossing>& crossings)
+      : whole_(whole), part_(part) {
+    std::vector<Crossing> kept;
+    for (Crossing crossing : crossings) {
+      crossing.a = part.edge[crossing.a.index()];
+      crossing.b = part.edge[crossing.b.index()];
+      const CrossingPoint place = place_of(crossing);
+      crossing.after = first_not_before(place, crossing.after);
+      const bool is_vertex =
+          crossing.after.index() < whole.points.size() && sweep_compare(place, whole.point(crossing.after)) == 0;
+      names_.push_back(is_vertex ? crossing.after : PointId(whole.points.size() + kept.size()));
+      if (!is_vertex) kept.push_back(crossing);
+    }
+    crossings = std::move(kept);
+  }
+
+  [[nodiscard]] PointId operator[](PointId p) const {
+    return p.index() < part_.point.size() ? part_.point[p.index()] : names_[p.index() - part_.point.size()];
+  }
+
+ private:
+  [[nodiscard]] CrossingPoint place_of(const Crossing& crossing) const {
+    const SceneEdge& a = whole_.edge(crossing.a);
+    const SceneEdge& b = whole_.edge(crossing.b);
+    return crossing_point(whole_.point(a.top), whole_.point(a.bottom), whole_.point(b.top), whole_.point(b.bottom));
+  }
+
+  // Of the whole's points from the part's last one before the crossing to the part's next one.
+  [[nodiscard]] PointId first_not_before(const CrossingPoint& place, PointId next) const {
+    const auto at = [this](std::size_t i) { return whole_.points.begin() + static_cast<std::ptrdiff_t>(i); };
+    const auto begin = at(next.index() == 0 ? 0 : part_.point[next.index() - 1].index());
+    const auto end = next.index() == part_.point.size() ? whole_.points.end() : at(part_.point[next.index()].index());
+    const auto found =
+        std::partition_point(begin, end, [&](const ImagePoint& p) { return sweep_compare(place, p) > 0; });
+    return PointId(static_cast<std::size_t>(found - whole_.points.begin()));
+  }
+
+  const ProjectedScene& whole_;
+  const ScenePart& part_;
+  std::vector<PointId> names_;  // per crossing of the part
+};
+
+}  // namespace
+
+ScenePart part_of(const ProjectedScene& whole, const std::vector<std::uint8_t>& kept) {
+  return PartBuilder(whole, kept).build();
+}
+
+VisibleSegments in_whole(const ProjectedScene& whole, const ScenePart& part, VisibleSegments segments) {
+  const PointNames names(whole, part, segments.crossings);
+  for (VisibleSegment& segment : segments.segments) {
+    segment.start = names[segment.start];
+    segment.end = names[segment.end];
+    segment.edge = part.edge[segment.edge.index()];
+  }
+  for (Thread& thread : segments.threads) thread.top = names[thread.top];
+  for (EdgeSplit& split : segments.splits) {
+    split.edge = part.edge[split.edge.index()];
+    split.point = names[split.point];
+  }
+  return segments;
+}
+
+}  // namespace sightline
