@@ -14,9 +14,14 @@ namespace sightline::bench {
 // A height field of waves in waves. About `triangles` triangles.
 [[nodiscard]] Mesh terrain(std::size_t triangles);
 
-// A view of the whole surface, one over the terrain at a grazing angle, and one from above that sees all of it.
+// Flat square grids, one behind the other. About `triangles` triangles in all.
+[[nodiscard]] Mesh sheets(std::size_t triangles, std::size_t count);
+
+// A view of the whole surface, one over the terrain at a grazing angle, one from above that sees all of it, and one of
+// the sheets, where the first hides all others.
 [[nodiscard]] Camera overview();
 [[nodiscard]] Camera grazing_view();
 [[nodiscard]] Camera view_from_above();
+[[nodiscard]] Camera view_from_the_front();
 
 }  // namespace sightline::bench

@@ -1,0 +1,43 @@
+// Analyses one fixed scene, once. scripts/instruction-counts has valgrind count the instructions.
+//
+//     build/release/bench/sightline_counted_scenes sphere|terrain|sheets
+
+#include <cstdio>
+#include <optional>
+#include <string_view>
+
+#include "bench/generated_scenes.h"
+#include "sightline/analyze.h"
+
+namespace sightline::bench {
+namespace {
+
+struct Case {
+  Mesh mesh;
+  Camera camera;
+  Sides sides;
+};
+
+std::optional<Case> case_named(std::string_view name) {
+  if (name == "sphere") return Case{folded_sphere(10000), overview(), Sides::front};
+  if (name == "terrain") return Case{terrain(10000), grazing_view(), Sides::both};
+  if (name == "sheets") return Case{sheets(10000, 8), view_from_the_front(), Sides::both};
+  return std::nullopt;
+}
+
+// Valgrind counts between this function's entry and its end, by its name: to make the mesh does not count.
+[[gnu::noinline]] View counted_analysis(const Case& c) { return analyze(c.mesh, c.camera, c.sides); }
+
+}  // namespace
+}  // namespace sightline::bench
+
+int main(int argc, char** argv) {
+  using namespace sightline;
+  const std::optional<bench::Case> chosen = argc == 2 ? bench::case_named(argv[1]) : std::nullopt;
+  if (!chosen) {
+    std::fputs("usage: sightline_counted_scenes sphere|terrain|sheets\n", stderr);
+    return 2;
+  }
+  const View view = bench::counted_analysis(*chosen);
+  std::printf("%zu triangles, %zu visible polygons\n", chosen->mesh.facet_count(), view.polygons.polygons.size());
+}
