@@ -1,5 +1,7 @@
 #include "cli/analyze_command.h"
 
+#include <tbb/global_control.h>
+
 #include <new>
 #include <optional>
 #include <vector>
@@ -22,6 +24,9 @@
 namespace sightline {
 
 namespace {
+
+// Of a thread; all count against the limit of memory.
+constexpr std::size_t stack_bytes = std::size_t{1} << 20;
 
 Scene scene_of(const AnalyzeOptions& options) {
   Scene scene = options.input_is_scene()
@@ -118,6 +123,8 @@ std::string analyzed(const AnalyzeOptions& options) {
 
 std::string analyze_command(const AnalyzeOptions& options) {
   hold_to(options.max_memory);
+  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, options.threads);
+  const tbb::global_control stacks(tbb::global_control::thread_stack_size, stack_bytes);
   try {
     return analyzed(options);
   } catch (const std::bad_alloc&) {

@@ -1,6 +1,7 @@
 #include "cli/command_line.h"
 
 #include <fmt/format.h>
+#include <tbb/info.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -17,9 +18,11 @@ namespace sightline {
 
 namespace {
 
+constexpr int most_threads = 1024;
+
 // The options as texts: numbers are parsed here and not by CLI11, which goes through the locale.
 struct AnalyzeTexts {
-  std::string input, output, sides, eye, target, up, fov_y, aspect, arithmetic, grid_bits, engine, max_memory;
+  std::string input, output, sides, eye, target, up, fov_y, aspect, arithmetic, grid_bits, engine, threads, max_memory;
   bool json = false;
   bool quiet = false;
 };
@@ -114,6 +117,15 @@ Engine engine_of(const AnalyzeTexts& texts) {
   throw CommandLineError(fmt::format("--engine: '{}' is not fast or full", texts.engine));
 }
 
+std::size_t threads_of(const AnalyzeTexts& texts) {
+  if (texts.threads.empty()) return static_cast<std::size_t>(tbb::info::default_concurrency());
+  const double threads = parsed_number(texts.threads, "--threads");
+  if (threads != std::floor(threads) || threads < 1 || threads > most_threads)
+    throw CommandLineError(
+        fmt::format("--threads: '{}' is not a whole number from 1 to {}", texts.threads, most_threads));
+  return static_cast<std::size_t>(threads);
+}
+
 AnalyzeOptions options_of(const AnalyzeTexts& texts) {
   AnalyzeOptions options;
   options.input = texts.input;
@@ -127,6 +139,7 @@ AnalyzeOptions options_of(const AnalyzeTexts& texts) {
   options.max_memory = memory_limit(texts.max_memory);
   options.precision = precision_of(texts);
   options.engine = engine_of(texts);
+  options.threads = threads_of(texts);
   options.json = texts.json;
   options.quiet = texts.quiet;
   if (options.input_is_scene()) {
@@ -176,6 +189,8 @@ void declare_analyze(CLI::App& analyze, AnalyzeTexts& texts) {
       ->type_name("N");
   analyze.add_option("--engine", texts.engine, "sweep what the scene requires, or everything: same result (fast)")
       ->type_name("fast|full");
+  analyze.add_option("--threads", texts.threads, "how many work at once: same result (all that there are)")
+      ->type_name("N");
   analyze.add_option("-o,--output", texts.output, "folder for the results, one folder in it per camera")
       ->type_name("DIR");
   analyze.add_option("--max-memory", texts.max_memory, "stop where more is needed (3/4 of the machine's memory)")

@@ -28,6 +28,7 @@ struct AnalyzeOptions {
   std::uint64_t max_memory = 0;       // in bytes
   Precision precision;
   Engine engine = Engine::fast;
+  std::size_t threads = 1;
   bool json = false;
   bool quiet = false;
 

@@ -63,6 +63,17 @@ constexpr bool can_hold = !__has_feature(address_sanitizer);
 constexpr bool can_hold = true;
 #endif
 
+// The code of the program and its libraries, which a limit of data leaves out.
+std::uint64_t code_bytes() {
+  std::uint64_t total = 0;
+  std::ifstream status("/proc/self/status");
+  for (std::string word; status >> word;) {
+    std::uint64_t kibibytes = 0;
+    if ((word == "VmExe:" || word == "VmLib:") && status >> kibibytes) total += 1024 * kibibytes;
+  }
+  return total;
+}
+
 // 1024 to the power that the letter stands for; 0 for no such letter.
 std::uint64_t unit_of(char letter) {
   const std::string_view letters = "KMGT";
@@ -115,7 +126,7 @@ void hold_to(std::uint64_t limit) {
   if (!can_hold) return;
   rlimit data{};
   getrlimit(RLIMIT_DATA, &data);
-  data.rlim_cur = std::min<rlim_t>(limit, data.rlim_max);
+  data.rlim_cur = std::min<rlim_t>(limit - std::min(limit, code_bytes()), data.rlim_max);
   setrlimit(RLIMIT_DATA, &data);
 }
 

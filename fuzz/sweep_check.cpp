@@ -3,6 +3,7 @@
 #include "fuzz/checks.h"
 #include "fuzz/chosen_scene.h"
 #include "oracle/truth.h"
+#include "tests/engine_comparison.h"
 #include "tests/oracle/judge.h"
 
 namespace sightline::fuzz {
@@ -42,6 +43,9 @@ void check_sweep(std::string_view bytes) {
   const bool exact = !mesh.is_cut() && is_on_the_grid(whole, scene);
   const auto more = exact ? oracle::judge(scene).complaints : differences_from_truth(whole, scene, view);
   complaints.insert(complaints.end(), more.begin(), more.end());
+  testing::EngineTally tally;
+  const std::string engines = testing::engine_differences(mesh, view.scene, {{4, 2}}, tally);
+  if (!engines.empty()) complaints.push_back("the engines differ: " + engines);
   if (!complaints.empty()) throw Finding(oracle::joined(complaints) + oracle::to_text(scene));
 }
 

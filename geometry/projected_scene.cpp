@@ -1,9 +1,12 @@
 #include "geometry/projected_scene.h"
 
+#include <tbb/parallel_sort.h>
+
 #include <algorithm>
 
 #include "geometry/clipping.h"
 #include "geometry/facet_plane.h"
+#include "geometry/parallel.h"
 #include "geometry/unfiltered.h"
 #include "geometry/vertex_projection.h"
 
@@ -14,13 +17,13 @@ std::vector<ProjectedVertex> project_vertices(const Mesh& mesh, const Camera& ca
   std::vector<ProjectedVertex> projected(mesh.vertices.size());
   std::vector<std::uint8_t> used(mesh.vertices.size(), 0);
   for (const VertexId v : mesh.facets.corners) used[v.index()] = 1;
-  for (std::size_t v = 0; v < used.size(); ++v) {
-    if (used[v] == 0) continue;
+  parallel_for_each(used.size(), [&](std::size_t v) {
+    if (used[v] == 0) return;
     projected[v] = project_vertex(mesh, VertexId(v), camera, precision.grid_bits);
     if (precision.arithmetic != Arithmetic::exact && projected[v].strictly_outside == 0) {
       projected[v].image = unfiltered::image_point(precision, mesh.vertices[v], camera);
     }
-  }
+  });
   return projected;
 }
 
@@ -67,9 +70,8 @@ class SceneBuilder {
   }
 
   ProjectedScene build() {
-    scene_.facing.reserve(mesh_.facet_count());
-    scene_.status.reserve(mesh_.facet_count());
-    scene_.polygon_begin.reserve(mesh_.facet_count() + 1);
+    find_statuses();
+    reserve_corners();
     for (std::size_t f = 0; f < mesh_.facet_count(); ++f) add_facet(FacetId(f));
     scene_.polygon_begin.push_back(static_cast<std::uint32_t>(scene_.polygon_corners.size()));
     number_points();
@@ -78,24 +80,41 @@ class SceneBuilder {
   }
 
  private:
+  void find_statuses() {
+    scene_.facing.resize(mesh_.facet_count());
+    scene_.status.resize(mesh_.facet_count());
+    parallel_for_each(mesh_.facet_count(), [this](std::size_t f) {
+      scene_.facing[f] = facing_of(mesh_, scene_.camera, FacetId(f), scene_.arithmetic);
+      scene_.status[f] = status_of(FacetId(f));
+    });
+  }
+
+  // That of a facet that is in view may still change when it is clipped.
+  [[nodiscard]] Status status_of(FacetId f) const {
+    const Facing facing = scene_.facing[f.index()];
+    if (facing == Facing::edge_on) return Status::edge_on;
+    if (facing == Facing::back && scene_.sides_shown == Sides::front) return Status::culled;
+    return summarize(mesh_.corners(f), projected_).none_inside ? Status::out_of_view : Status::in_view;
+  }
+
+  void reserve_corners() {
+    std::size_t corners = 0;
+    for (std::size_t f = 0; f < mesh_.facet_count(); ++f) {
+      if (scene_.status[f] == Status::in_view) corners += mesh_.corners(FacetId(f)).size();
+    }
+    scene_.polygon_begin.reserve(mesh_.facet_count() + 1);
+    scene_.polygon_corners.reserve(corners);
+    places_.reserve(corners / 4);
+  }
+
   void add_facet(FacetId f) {
     scene_.polygon_begin.push_back(static_cast<std::uint32_t>(scene_.polygon_corners.size()));
-    scene_.facing.push_back(facing_of(mesh_, scene_.camera, f, scene_.arithmetic));
-    const OutcodeSummary summary = summarize(mesh_.corners(f), projected_);
-    scene_.status.push_back(status_of(f, summary));
-    if (scene_.status.back() != Status::in_view) return;
-    if (summary.all_inside) {
+    if (scene_.status[f.index()] != Status::in_view) return;
+    if (summarize(mesh_.corners(f), projected_).all_inside) {
       add_whole(f);
     } else {
       add_clipped(f);
     }
-  }
-
-  [[nodiscard]] Status status_of(FacetId f, const OutcodeSummary& summary) const {
-    const Facing facing = scene_.facing[f.index()];
-    if (facing == Facing::edge_on) return Status::edge_on;
-    if (facing == Facing::back && scene_.sides_shown == Sides::front) return Status::culled;
-    return summary.none_inside ? Status::out_of_view : Status::in_view;
   }
 
   void add_whole(FacetId f) {
@@ -106,7 +125,7 @@ class SceneBuilder {
 
   void add_clipped(FacetId f) {
     const auto polygon = clip(mesh_, scene_.camera, f);
-    if (polygon.empty()) scene_.status.back() = Status::out_of_view;
+    if (polygon.empty()) scene_.status[f.index()] = Status::out_of_view;
     for (const ExactCorner& corner : polygon) {
       if (corner.vertex.valid()) {
         add_vertex_corner(corner.vertex, corner.edge_after);
@@ -144,15 +163,17 @@ class SceneBuilder {
 
   // Places that fall on one grid point are one point from here on.
   void number_points() {
-    std::ranges::sort(places_, sweeps_before, &Place::image);
+    tbb::parallel_sort(places_.begin(), places_.end(),
+                       [](const Place& a, const Place& b) { return sweeps_before(a.image, b.image); });
     for (const Place& place : places_) {
       if (scene_.points.empty() || scene_.points.back() != place.image) scene_.points.push_back(place.image);
       const PointId point(scene_.points.size() - 1);
       (place.is_vertex ? point_of_vertex_[place.owner] : scene_.polygon_corners[place.owner].point) = point;
     }
-    for (ClippedCorner& corner : scene_.polygon_corners) {
+    parallel_for_each(scene_.polygon_corners.size(), [this](std::size_t i) {
+      ClippedCorner& corner = scene_.polygon_corners[i];
       if (corner.vertex.valid()) corner.point = point_of_vertex_[corner.vertex.index()];
-    }
+    });
   }
 
   struct PlacedSide {

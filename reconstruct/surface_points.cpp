@@ -12,15 +12,14 @@ void SurfacePoints::sort() {
   entries_.erase(std::unique(entries_.begin(), entries_.end(), same_point), entries_.end());
 }
 
-void SurfacePoints::place_in_plane(const Point3& a, const Point3& b, const Point3& c,
-                                   const std::vector<Point3>& vertices) {
+void SurfacePoints::place_in_plane(const Point3& a, const Point3& b, const Point3& c, const NewVertices& vertices) {
   const Vector3 ab = b - a;
   const Vector3 x_axis = (1 / norm(ab)) * ab;
   const Vector3 normal = cross(x_axis, c - a);
   const Vector3 y_axis = (1 / norm(normal)) * cross(normal, x_axis);
   placed_ = true;
   for (Entry& entry : entries_) {
-    const Vector3 d = vertices[entry.vertex.index()] - a;
+    const Vector3 d = vertices[entry.vertex] - a;
     entry.in_plane = {dot(d, x_axis), dot(d, y_axis)};
     placed_ = placed_ && std::isfinite(entry.in_plane.x) && std::isfinite(entry.in_plane.y);
   }

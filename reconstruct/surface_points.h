@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "reconstruct/constrained_delaunay.h"
+#include "reconstruct/new_vertices.h"
 #include "sweep/image_points.h"
 
 namespace sightline {
@@ -29,7 +30,7 @@ class SurfacePoints : public PlanarPoints {
 
   // Orthonormal coordinates in the plane of a, b, c, in which these turn counter-clockwise. Without them, or where they
   // are not finite, no triangulation is better than another.
-  void place_in_plane(const Point3& a, const Point3& b, const Point3& c, const std::vector<Point3>& vertices);
+  void place_in_plane(const Point3& a, const Point3& b, const Point3& c, const NewVertices& vertices);
 
   [[nodiscard]] bool contains(PointId p) const;
   [[nodiscard]] PlanarPointId index(PointId p) const;  // precondition: contains(p)

@@ -12,8 +12,8 @@ void SurfaceVertices::begin(FacetId surface) {
 }
 
 VertexId SurfaceVertices::at(PointId p, std::optional<Point3> position) {
-  const auto [place, is_new] = known_.try_emplace(p, VertexId(vertices_.size()));
-  if (is_new) vertices_.push_back(position ? *position : lift(p));
+  const auto [place, is_new] = known_.try_emplace(p);
+  if (is_new) place->second = vertices_.add(position ? *position : lift(p));
   return place->second;
 }
 

@@ -11,14 +11,14 @@
 #include <vector>
 
 #include "reconstruct/facet_border.h"
+#include "reconstruct/new_vertices.h"
 
 namespace sightline {
 
 class SurfaceVertices : public InnerVertices {
  public:
-  // New vertices are appended to `vertices`.
-  SurfaceVertices(const Mesh& mesh, const ProjectedScene& scene, const ImagePoints& points,
-                  std::vector<Point3>& vertices)
+  // New vertices are added to `vertices`.
+  SurfaceVertices(const Mesh& mesh, const ProjectedScene& scene, const ImagePoints& points, NewVertices& vertices)
       : mesh_(mesh), scene_(scene), points_(points), vertices_(vertices) {}
 
   void begin(FacetId surface);
@@ -30,7 +30,7 @@ class SurfaceVertices : public InnerVertices {
   const Mesh& mesh_;
   const ProjectedScene& scene_;
   const ImagePoints& points_;
-  std::vector<Point3>& vertices_;
+  NewVertices& vertices_;
   FacetId surface_;
   std::map<PointId, VertexId> known_;
 };

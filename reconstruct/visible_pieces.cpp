@@ -34,7 +34,7 @@ class VisiblePieces {
         edge_points_(edge_points),
         points_(image, surface.back_facing) {}
 
-  std::vector<Piece> run(const std::vector<Point3>& vertices, InnerVertices& inner) {
+  std::vector<Piece> run(const NewVertices& vertices, InnerVertices& inner) {
     collect_border();
     collect_points(inner);
     const auto [a, b, c] = plane_corners(mesh_, surface_.surface);
@@ -296,8 +296,7 @@ class VisiblePieces {
 
 std::vector<Piece> visible_pieces(const Mesh& mesh, const ProjectedScene& scene, const ImagePoints& points,
                                   const VisibleSegments& segments, const SurfaceInView& surface,
-                                  const EdgePoints& edge_points, const std::vector<Point3>& vertices,
-                                  InnerVertices& inner) {
+                                  const EdgePoints& edge_points, const NewVertices& vertices, InnerVertices& inner) {
   return VisiblePieces(mesh, scene, points, segments, surface, edge_points).run(vertices, inner);
 }
 

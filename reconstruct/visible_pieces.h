@@ -19,6 +19,7 @@
 #include "geometry/mesh.h"
 #include "geometry/projected_scene.h"
 #include "reconstruct/facet_border.h"
+#include "reconstruct/new_vertices.h"
 #include "reconstruct/visible_polygons.h"
 
 namespace sightline {
@@ -47,6 +48,6 @@ struct SurfaceInView {
 [[nodiscard]] std::vector<Piece> visible_pieces(const Mesh& mesh, const ProjectedScene& scene,
                                                 const ImagePoints& points, const VisibleSegments& segments,
                                                 const SurfaceInView& surface, const EdgePoints& edge_points,
-                                                const std::vector<Point3>& vertices, InnerVertices& inner);
+                                                const NewVertices& vertices, InnerVertices& inner);
 
 }  // namespace sightline

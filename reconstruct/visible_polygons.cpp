@@ -5,6 +5,7 @@
 
 #include "geometry/errors.h"
 #include "geometry/facet_plane.h"
+#include "geometry/parallel.h"
 #include "reconstruct/ring_linker.h"
 #include "sweep/image_points.h"
 
@@ -86,63 +87,79 @@ Measure measure(const ImagePoints& points, const VisibleSegments& segments, std:
   return m;
 }
 
-class Reconstruction {
+// The segments by surface; those of one surface stay in their order.
+class SurfaceSegments {
  public:
-  Reconstruction(const Mesh& mesh, const ProjectedScene& scene, const VisibleSegments& segments)
-      : mesh_(mesh), scene_(scene), segments_(segments), points_(scene, segments), order_(scene, segments) {}
+  SurfaceSegments(const Mesh& mesh, const VisibleSegments& segments) : begin_(mesh.facet_count() + 1, 0) {
+    const auto surface = [&](std::size_t s) { return surface_of(mesh, segments.segments[s].facet).index(); };
+    const std::size_t count = segments.segments.size();
+    for (std::size_t s = 0; s < count; ++s) ++begin_[surface(s) + 1];
+    for (std::size_t f = 1; f < begin_.size(); ++f) begin_[f] += begin_[f - 1];
+    segments_.resize(count);
+    std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
+    for (std::size_t s = 0; s < count; ++s) segments_[next[surface(s)]++] = SegmentId(s);
+  }
 
-  VisiblePolygons run() {
-    const std::vector<SegmentId> by_surface = sorted_segments();
-    const auto threads = sorted_threads();
-    for (std::size_t begin = 0; begin < by_surface.size();) {
-      const FacetId surface = surface_of_segment(by_surface[begin]);
-      std::size_t end = begin + 1;
-      while (end < by_surface.size() && surface_of_segment(by_surface[end]) == surface) ++end;
-      add_surface(surface, std::span(by_surface).subspan(begin, end - begin), threads);
-      begin = end;
-    }
-    return std::move(result_);
+  [[nodiscard]] std::span<const SegmentId> of(FacetId surface) const {
+    return std::span(segments_).subspan(begin_[surface.index()], begin_[surface.index() + 1] - begin_[surface.index()]);
   }
 
  private:
-  [[nodiscard]] FacetId surface_of_segment(SegmentId s) const {
-    return surface_of(mesh_, segments_.segments[s.index()].facet);
-  }
+  std::vector<std::uint32_t> begin_;  // per facet and one more; empty but for first facets of surfaces
+  std::vector<SegmentId> segments_;
+};
 
-  // By surface; those of one surface stay in their order.
-  [[nodiscard]] std::vector<SegmentId> sorted_segments() const {
-    std::vector<std::uint32_t> next(mesh_.facet_count() + 1, 0);
-    for (std::size_t s = 0; s < segments_.segments.size(); ++s) ++next[surface_of_segment(SegmentId(s)).index() + 1];
-    for (std::size_t f = 1; f < next.size(); ++f) next[f] += next[f - 1];
-    std::vector<SegmentId> sorted(segments_.segments.size());
-    for (std::size_t s = 0; s < sorted.size(); ++s)
-      sorted[next[surface_of_segment(SegmentId(s)).index()]++] = SegmentId(s);
-    return sorted;
-  }
-
-  // By surface; those of one surface stay in sweep order.
-  [[nodiscard]] std::vector<Thread> sorted_threads() const {
-    std::vector<Thread> sorted = segments_.threads;
-    std::stable_sort(sorted.begin(), sorted.end(), [this](const Thread& a, const Thread& b) {
-      return surface_of(mesh_, a.facet) < surface_of(mesh_, b.facet);
+// What all surfaces are reconstructed from.
+struct Sources {
+  Sources(const Mesh& m, const ProjectedScene& s, const VisibleSegments& v)
+      : mesh(m), scene(s), segments(v), points(s, v), order(s, v), of_surface(m, v), threads(v.threads) {
+    std::stable_sort(threads.begin(), threads.end(), [this](const Thread& a, const Thread& b) {
+      return surface_of(mesh, a.facet) < surface_of(mesh, b.facet);
     });
-    return sorted;
   }
 
-  void add_surface(FacetId surface, std::span<const SegmentId> ids, std::span<const Thread> threads) {
-    const SingleRing single = single_ring(scene_, segments_, order_, ids);
+  const Mesh& mesh;
+  const ProjectedScene& scene;
+  const VisibleSegments& segments;
+  const ImagePoints points;
+  const SweepOrder order;
+  const SurfaceSegments of_surface;
+  std::vector<Thread> threads;  // by surface; those of one surface stay in sweep order
+};
+
+// The polygons of some of the surfaces, one after the other.
+class Reconstruction {
+ public:
+  explicit Reconstruction(const Sources& from) : from_(from) {}
+
+  void add_surface(FacetId surface) {
+    const auto ids = from_.of_surface.of(surface);
+    const SingleRing single = single_ring(from_.scene, from_.segments, from_.order, ids);
     if (single.outer) {
-      Measure total;
-      const auto first_ring = static_cast<std::uint32_t>(result_.ring_count());
-      add_ring({single.segments.data(), single.segments.size()}, total);
-      finish_polygon(surface, first_ring, total);
-      return;
+      add_single(surface, {single.segments.data(), single.segments.size()});
+    } else if (!ids.empty()) {
+      add_with_holes(surface, ids);
     }
-    const auto [first, last] = std::equal_range(
-        threads.begin(), threads.end(), Thread{{}, surface, {}},
-        [this](const Thread& a, const Thread& b) { return surface_of(mesh_, a.facet) < surface_of(mesh_, b.facet); });
-    SurfacePolygons polygons(scene_, segments_, ids);
-    for (const auto& rings : polygons.polygons({first, last}, order_)) add_polygon(surface, rings);
+  }
+
+  [[nodiscard]] const VisiblePolygons& result() const { return result_; }
+
+ private:
+  void add_single(FacetId surface, std::span<const SegmentId> ring) {
+    Measure total;
+    const auto first_ring = static_cast<std::uint32_t>(result_.ring_count());
+    add_ring(ring, total);
+    finish_polygon(surface, first_ring, total);
+  }
+
+  void add_with_holes(FacetId surface, std::span<const SegmentId> ids) {
+    const auto by_surface = [this](const Thread& a, const Thread& b) {
+      return surface_of(from_.mesh, a.facet) < surface_of(from_.mesh, b.facet);
+    };
+    const auto [first, last] =
+        std::equal_range(from_.threads.begin(), from_.threads.end(), Thread{{}, surface, {}}, by_surface);
+    SurfacePolygons polygons(from_.scene, from_.segments, ids);
+    for (const auto& rings : polygons.polygons({first, last}, from_.order)) add_polygon(surface, rings);
   }
 
   void add_polygon(FacetId surface, const std::vector<LinkedRing>& rings) {
@@ -153,7 +170,7 @@ class Reconstruction {
   }
 
   void add_ring(std::span<const SegmentId> ring, Measure& total) {
-    const Measure m = measure(points_, segments_, ring);
+    const Measure m = measure(from_.points, from_.segments, ring);
     total.twice_area += m.twice_area;
     total.perimeter += m.perimeter;
     result_.ring_segments.insert(result_.ring_segments.end(), ring.begin(), ring.end());
@@ -164,27 +181,47 @@ class Reconstruction {
   void finish_polygon(FacetId surface, std::uint32_t first_ring, const Measure& total) {
     VisiblePolygon polygon;
     polygon.facet = surface;
-    polygon.face = mesh_.facet_face[surface.index()];
+    polygon.face = from_.mesh.facet_face[surface.index()];
     polygon.first_ring = first_ring;
     polygon.ring_count = static_cast<std::uint32_t>(result_.ring_count()) - first_ring;
     polygon.below_resolution = total.twice_area < total.perimeter;
-    polygon.area = std::ldexp(total.twice_area / 2, -2 * scene_.grid_bits);
-    polygon.perimeter = std::ldexp(total.perimeter, -scene_.grid_bits);
+    polygon.area = std::ldexp(total.twice_area / 2, -2 * from_.scene.grid_bits);
+    polygon.perimeter = std::ldexp(total.perimeter, -from_.scene.grid_bits);
     result_.polygons.push_back(polygon);
   }
 
-  const Mesh& mesh_;
-  const ProjectedScene& scene_;
-  const VisibleSegments& segments_;
-  const ImagePoints points_;
-  const SweepOrder order_;
+  const Sources& from_;
   VisiblePolygons result_;
 };
+
+void append(VisiblePolygons& all, const VisiblePolygons& part) {
+  const auto rings = static_cast<std::uint32_t>(all.ring_count());
+  const auto segments = static_cast<std::uint32_t>(all.ring_segments.size());
+  for (VisiblePolygon polygon : part.polygons) {
+    polygon.first_ring += rings;
+    all.polygons.push_back(polygon);
+  }
+  for (std::size_t r = 1; r < part.ring_begin.size(); ++r) all.ring_begin.push_back(segments + part.ring_begin[r]);
+  all.ring_segments.insert(all.ring_segments.end(), part.ring_segments.begin(), part.ring_segments.end());
+}
+
+VisiblePolygons reconstruct(const Mesh& mesh, const ProjectedScene& scene, const VisibleSegments& segments) {
+  const Sources sources(mesh, scene, segments);
+  std::vector<VisiblePolygons> parts(range_count(mesh.facet_count()));
+  parallel_for_ranges(mesh.facet_count(), [&](std::size_t range, std::size_t begin, std::size_t end) {
+    Reconstruction reconstruction(sources);
+    for (std::size_t f = begin; f < end; ++f) reconstruction.add_surface(FacetId(f));
+    parts[range] = reconstruction.result();
+  });
+  VisiblePolygons polygons;
+  for (const VisiblePolygons& part : parts) append(polygons, part);
+  return polygons;
+}
 
 }  // namespace
 
 VisiblePolygons reconstruct_polygons(const Mesh& mesh, const ProjectedScene& scene, const VisibleSegments& segments) {
-  return with_invariants_of(scene.arithmetic, [&] { return Reconstruction(mesh, scene, segments).run(); });
+  return with_invariants_of(scene.arithmetic, [&] { return reconstruct(mesh, scene, segments); });
 }
 
 Rational exact_area(const ProjectedScene& scene, const VisibleSegments& segments, const VisiblePolygons& polygons,

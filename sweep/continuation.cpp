@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "geometry/parallel.h"
+
 namespace sightline {
 namespace {
 
@@ -24,9 +26,9 @@ bool is_proper(const ProjectedScene& scene, FacetId f) {
 
 std::vector<std::uint8_t> proper_facets(const ProjectedScene& scene) {
   std::vector<std::uint8_t> proper(scene.status.size(), 0);
-  for (std::size_t f = 0; f < proper.size(); ++f) {
+  parallel_for_each(proper.size(), [&](std::size_t f) {
     if (scene.status[f] == Status::in_view && is_proper(scene, FacetId(f))) proper[f] = 1;
-  }
+  });
   return proper;
 }
 
@@ -47,15 +49,15 @@ Neighbours neighbours_across(const ProjectedScene& scene, EdgeId e, const std::v
 
 Continuation::Continuation(const ProjectedScene& scene) {
   const auto proper = proper_facets(scene);
-  neighbours_.reserve(scene.edge_count());
-  for (std::size_t e = 0; e < scene.edge_count(); ++e)
-    neighbours_.push_back(neighbours_across(scene, EdgeId(e), proper));
+  neighbours_.resize(scene.edge_count());
+  parallel_for_each(scene.edge_count(),
+                    [&](std::size_t e) { neighbours_[e] = neighbours_across(scene, EdgeId(e), proper); });
   find_edges(scene);
 }
 
 void Continuation::find_edges(const ProjectedScene& scene) {
   edges_.resize(scene.polygon_corners.size());
-  for (std::size_t e = 0; e < scene.edge_count(); ++e) {
+  parallel_for_each(scene.edge_count(), [&](std::size_t e) {
     const SceneEdge& edge = scene.edges[e];
     for (const EdgeSide& side : scene.sides_of(EdgeId(e))) {
       const PointId from = side.winding > 0 ? edge.top : edge.bottom;
@@ -66,7 +68,7 @@ void Continuation::find_edges(const ProjectedScene& scene) {
         if (polygon[i].point == from && (next == edge.top || next == edge.bottom)) edges_[first + i] = EdgeId(e);
       }
     }
-  }
+  });
 }
 
 }  // namespace sightline

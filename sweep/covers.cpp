@@ -1,8 +1,11 @@
 #include "sweep/covers.h"
 
+#include <tbb/enumerable_thread_specific.h>
+
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/parallel.h"
 #include "sweep/depth_order.h"
 
 namespace sightline {
@@ -77,36 +80,30 @@ bool misses(const ImagePoint& a, const ImagePoint& b, const ImagePoint& centre, 
   return std::fabs(left - right) > reach * (1 + 0x1p-40) + 0x1p-40 * (std::fabs(left) + std::fabs(right));
 }
 
-class Covers {
+// Looks at some of the cells, and counts for each facet in how many of them it is hidden.
+class CoverFinder {
  public:
-  Covers(const Mesh& mesh, const ProjectedScene& scene, const std::vector<DepthRange>& depths,
-         const Continuation& continuation, const CellGrid& grid, const FacetCells& cells,
-         std::vector<std::uint8_t> hidden)
+  CoverFinder(const Mesh& mesh, const ProjectedScene& scene, const std::vector<DepthRange>& depths,
+              const Continuation& continuation, const CellGrid& grid, const CellFacets& facets)
       : mesh_(mesh),
         scene_(scene),
         depths_(depths),
         continuation_(continuation),
         grid_(grid),
-        hidden_(std::move(hidden)),
-        cells_(cells),
-        facets_(cells, grid, hidden_),
+        facets_(facets),
         order_(mesh, scene),
         mark_(scene.status.size(), 0),
         hidden_cells_(scene.status.size(), 0) {}
 
-  std::vector<std::uint8_t> find() {
-    for (unsigned row = 0; row < grid_.side(); ++row) {
-      for (unsigned column = 0; column < grid_.side(); ++column) {
-        cell_ = grid_.cell(column, row);
-        centre_ = grid_.centre(column, row);
-        if (!facets_.in_cell(cell_).empty()) look_at_cell();
-      }
+  void look_at_row(unsigned row) {
+    for (unsigned column = 0; column < grid_.side(); ++column) {
+      cell_ = grid_.cell(column, row);
+      centre_ = grid_.centre(column, row);
+      if (!facets_.in_cell(cell_).empty()) look_at_cell();
     }
-    for (std::size_t f = 0; f < hidden_.size(); ++f) {
-      if (hidden_cells_[f] > 0 && hidden_cells_[f] == cells_.of(FacetId(f)).size()) hidden_[f] = 1;
-    }
-    return std::move(hidden_);
   }
+
+  [[nodiscard]] const std::vector<std::uint32_t>& hidden_cells() const { return hidden_cells_; }
 
  private:
   void look_at_cell() {
@@ -211,9 +208,7 @@ class Covers {
   const std::vector<DepthRange>& depths_;
   const Continuation& continuation_;
   const CellGrid& grid_;
-  std::vector<std::uint8_t> hidden_;
-  const FacetCells& cells_;
-  const CellFacets facets_;
+  const CellFacets& facets_;
   DepthOrder order_;
   std::vector<std::uint32_t> mark_;          // per facet: the last flood that reached it
   std::vector<std::uint32_t> hidden_cells_;  // per facet: in how many cells it is hidden
@@ -233,7 +228,18 @@ std::vector<std::uint8_t> hidden_behind_covers(const Mesh& mesh, const Projected
                                                const std::vector<DepthRange>& depths, const Continuation& continuation,
                                                const CellGrid& grid, const FacetCells& cells,
                                                std::vector<std::uint8_t> hidden) {
-  return Covers(mesh, scene, depths, continuation, grid, cells, std::move(hidden)).find();
+  const CellFacets facets(cells, grid, hidden);
+  tbb::enumerable_thread_specific<CoverFinder> finders(
+      [&] { return CoverFinder(mesh, scene, depths, continuation, grid, facets); });
+  constexpr std::size_t rows_in_a_row = 8;
+  parallel_for_each(grid.side(), rows_in_a_row,
+                    [&](std::size_t row) { finders.local().look_at_row(static_cast<unsigned>(row)); });
+  parallel_for_each(hidden.size(), [&](std::size_t f) {
+    std::size_t hidden_cells = 0;
+    for (const CoverFinder& finder : finders) hidden_cells += finder.hidden_cells()[f];
+    if (hidden_cells > 0 && hidden_cells == cells.of(FacetId(f)).size()) hidden[f] = 1;
+  });
+  return hidden;
 }
 
 }  // namespace sightline

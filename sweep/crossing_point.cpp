@@ -50,10 +50,8 @@ int crossing_tiers::exact(const CrossingPoint& a, const CrossingPoint& b) {
 }
 
 int sweep_compare(const CrossingPoint& a, const CrossingPoint& b) {
-  // Two errors, and the subtraction's rounding of at most u * 2^42.
-  constexpr double bound = 2 * crossing_error + 0x1p-11;
   const double y = b.y - a.y;
-  if (std::fabs(y) > bound) return y > 0 ? 1 : -1;
+  if (std::fabs(y) > crossing_order_bound) return y > 0 ? 1 : -1;
   return crossing_tiers::exact(a, b);
 }
 

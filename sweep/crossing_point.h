@@ -28,6 +28,10 @@ struct CrossingPoint {
 // rounds by u * 2^41 once more: 4 * 2^41 * 2^-53.
 constexpr double crossing_error = 0x1p-10;
 
+// What lies further apart than this, rounded, is in that order: two errors, and the subtraction's rounding of at most
+// u * 2^42.
+constexpr double crossing_order_bound = 2 * crossing_error + 0x1p-11;
+
 // Precondition: the edges are not parallel.
 [[nodiscard]] CrossingPoint crossing_point(const ImagePoint& top_a, const ImagePoint& bottom_a, const ImagePoint& top_b,
                                            const ImagePoint& bottom_b);

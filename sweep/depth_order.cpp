@@ -7,13 +7,13 @@
 
 namespace sightline {
 
-DepthOrder::DepthOrder(const Mesh& mesh, const ProjectedScene& scene)
+DepthOrder::DepthOrder(const Mesh& mesh, const ProjectedScene& scene, std::span<const DepthRange> ranges)
     : mesh_(mesh),
       arithmetic_(scene.arithmetic),
       eye_(scene.camera.eye),
       facing_(scene.facing),
       pieces_(mesh, scene),
-      ranges_(scene.arithmetic == Arithmetic::exact ? depth_ranges(scene) : std::vector<DepthRange>{}),
+      ranges_(ranges),
       planes_(mesh.whole_count()) {}
 
 // A mesh that was not cut has its facets whole.

@@ -31,7 +31,8 @@ namespace sightline {
 
 class DepthOrder {
  public:
-  DepthOrder(const Mesh& mesh, const ProjectedScene& scene);
+  // ranges: per facet, as depth_ranges(scene) gives them; or none, and then they do not help.
+  DepthOrder(const Mesh& mesh, const ProjectedScene& scene, std::span<const DepthRange> ranges = {});
 
   [[nodiscard]] bool nearer(FacetId f, FacetId g);
 
@@ -70,7 +71,7 @@ class DepthOrder {
   HomogeneousPoint eye_;
   const std::vector<Facing>& facing_;
   PieceOrder pieces_;
-  const std::vector<DepthRange> ranges_;  // per facet; none where the arithmetic is not exact
+  const std::span<const DepthRange> ranges_;
   // Per whole, once it was asked for.
   std::vector<std::array<VertexId, 3>> planes_;
   predicates::Counts counts_;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/parallel.h"
+
 namespace sightline {
 namespace {
 
@@ -39,7 +41,7 @@ Depth depth_of(const Camera& camera, const Point3& p) {
 std::vector<DepthRange> depth_ranges(const ProjectedScene& scene) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   std::vector<DepthRange> ranges(scene.status.size());
-  for (std::size_t f = 0; f < ranges.size(); ++f) {
+  parallel_for_each(ranges.size(), [&](std::size_t f) {
     DepthRange& range = ranges[f];
     for (const ClippedCorner& corner : scene.polygon(FacetId(f))) {
       const Depth depth = depth_of(scene.camera, corner.position);
@@ -47,7 +49,7 @@ std::vector<DepthRange> depth_ranges(const ProjectedScene& scene) {
       range.nearest = std::min(range.nearest, known ? depth.value - depth.error : -infinity);
       range.farthest = std::max(range.farthest, known ? depth.value + depth.error : infinity);
     }
-  }
+  });
   return ranges;
 }
 

@@ -1,9 +1,13 @@
 #include "sweep/engine.h"
 
+#include <tbb/task_arena.h>
+
 #include <algorithm>
 #include <array>
-#include <optional>
+#include <mutex>
 
+#include "geometry/parallel.h"
+#include "sweep/bands.h"
 #include "sweep/covers.h"
 #include "sweep/facet_outline.h"
 #include "sweep/joined_segments.h"
@@ -17,15 +21,16 @@ namespace {
 // Cells are as fine as so many pairs of a facet and a cell in its bounding box allow, per facet: contour edges then touch
 // few of them, and looking at all pairs still costs little.
 constexpr int highest_level = 11;
-constexpr double pairs_per_facet = 10;
+constexpr double pairs_per_facet = 6;
 constexpr std::size_t most_samples = 1 << 16;
 
 int level_for(const ProjectedScene& scene) {
+  const CellGrid finest(scene.grid_bits, highest_level);
   std::array<double, highest_level + 1> pairs{};
   double facets = 0;
   for (std::size_t f = 0; f < scene.status.size(); f += 1 + scene.status.size() / most_samples) {
     if (scene.status[f] != Status::in_view) continue;
-    const CellRange range = CellGrid(scene.grid_bits, highest_level).range_of(FacetOutline(scene, FacetId(f)).points());
+    const CellRange range = finest.range_of(FacetOutline(scene, FacetId(f)).points());
     for (int level = 0; level <= highest_level; ++level) {
       const int shift = highest_level - level;
       pairs[static_cast<std::size_t>(level)] +=
@@ -39,50 +44,95 @@ int level_for(const ProjectedScene& scene) {
   return level;
 }
 
-// Tells an observer of the sweep of a part where it is in the whole.
-class WholeObserver : public SweepObserver {
- public:
-  WholeObserver(const ProjectedScene& whole, const ScenePart& part, SweepObserver& observer)
-      : whole_(whole), part_(part), observer_(observer) {}
+// Two for each thread, so that one that takes longer does not keep the others waiting for long.
+std::size_t bands_for_threads() {
+  const auto threads = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
+  return threads == 1 ? 1 : 2 * threads;
+}
 
-  void at(const SweepPoint& point) override {
-    SweepPoint in_whole = point;
-    if (point.vertex.valid()) in_whole.vertex = part_.point[point.vertex.index()];
-    const bool is_last = point.points_done == part_.point.size();
-    in_whole.points_done = is_last ? whole_.points.size() : part_.point[point.points_done].index();
-    observer_.at(in_whole);
+// Tells an observer where the sweeps of several bands are in the whole: how far all of them are together.
+class BandObservers {
+ public:
+  BandObservers(const ProjectedScene& whole, SweepObserver* observer) : whole_(whole), observer_(observer) {}
+
+  class Band : public SweepObserver {
+   public:
+    Band(BandObservers& all, const ScenePart& part) : all_(all), part_(part) {}
+    void at(const SweepPoint& point) override {
+      SweepPoint in_whole = point;
+      if (point.vertex.valid()) in_whole.vertex = part_.point[point.vertex.index()];
+      all_.at(in_whole, point.points_done - done_);
+      done_ = point.points_done;
+    }
+
+   private:
+    BandObservers& all_;
+    const ScenePart& part_;
+    std::size_t done_ = 0;
+  };
+
+  void expect(std::size_t points) {
+    const std::lock_guard lock(mutex_);
+    expected_ += points;
   }
+  [[nodiscard]] bool is_watched() const { return observer_ != nullptr; }
 
  private:
+  void at(SweepObserver::SweepPoint& point, std::size_t newly_done) {
+    const std::lock_guard lock(mutex_);
+    done_ += newly_done;
+    point.points_done = whole_.points.size() * done_ / std::max(expected_, done_);
+    observer_->at(point);
+  }
+
   const ProjectedScene& whole_;
-  const ScenePart& part_;
-  SweepObserver& observer_;
+  SweepObserver* const observer_;
+  std::mutex mutex_;
+  std::size_t expected_ = 0;
+  std::size_t done_ = 0;
 };
+
+VisibleSegments swept_band(const Mesh& mesh, const ProjectedScene& scene, const Continuation& continuation,
+                           std::span<const FacetId> facets, BandObservers& observers) {
+  const ScenePart part = part_of(scene, continuation, facets);
+  observers.expect(part.point.size());
+  BandObservers::Band observer(observers, part);
+  return in_whole(scene, part, sweep(mesh, part.scene, observers.is_watched() ? &observer : nullptr));
+}
+
+std::vector<VisibleSegments> swept_bands(const Mesh& mesh, const ProjectedScene& scene,
+                                         const Continuation& continuation, const Bands& bands,
+                                         SweepObserver* observer) {
+  BandObservers observers(scene, observer);
+  std::vector<VisibleSegments> swept(bands.swept.size());
+  parallel_for_each(swept.size(), 1, [&](std::size_t band) {
+    swept[band] = swept_band(mesh, scene, continuation, bands.swept[band], observers);
+  });
+  return swept;
+}
 
 }  // namespace
 
-VisibleSegments fast_visible_segments(const Mesh& mesh, const ProjectedScene& scene, int level,
+VisibleSegments fast_visible_segments(const Mesh& mesh, const ProjectedScene& scene, const FastOptions& options,
                                       SweepObserver* observer) {
   if (mesh.touched.empty() || scene.arithmetic != Arithmetic::exact) return sweep(mesh, scene, observer);
-  const CellGrid grid(scene.grid_bits, level);
+  const CellGrid grid(scene.grid_bits, options.level.value_or(level_for(scene)));
   const Continuation continuation(scene);
   const FacetCells cells(scene, grid);
   const std::vector<DepthRange> depths = depth_ranges(scene);
   const auto hidden =
       hidden_behind_covers(mesh, scene, depths, continuation, grid, cells, hidden_behind_large_facets(scene, depths));
   const Patches patches = find_patches(mesh, scene, continuation, hidden, grid, cells);
-  const ScenePart part = part_of(scene, patches.swept);
-  std::optional<WholeObserver> watch;
-  if (observer != nullptr) watch.emplace(scene, part, *observer);
-  VisibleSegments swept = sweep(mesh, part.scene, watch ? &*watch : nullptr);
-  if (!swept.statistics.depth_is_transitive) return sweep(mesh, scene, observer);
-  return join_segments(scene, continuation, patches, in_whole(scene, part, std::move(swept)));
+  const Bands bands = make_bands(mesh, patches, grid, cells, options.bands.value_or(bands_for_threads()));
+  std::vector<VisibleSegments> swept = swept_bands(mesh, scene, continuation, bands, observer);
+  const auto is_transitive = [](const VisibleSegments& band) { return band.statistics.depth_is_transitive; };
+  if (!std::ranges::all_of(swept, is_transitive)) return sweep(mesh, scene, observer);
+  return join_segments(scene, continuation, patches, bands, std::move(swept));
 }
 
 VisibleSegments find_visible_segments(const Mesh& mesh, const ProjectedScene& scene, Engine engine,
                                       SweepObserver* observer) {
-  if (engine == Engine::full) return sweep(mesh, scene, observer);
-  return fast_visible_segments(mesh, scene, level_for(scene), observer);
+  return engine == Engine::full ? sweep(mesh, scene, observer) : fast_visible_segments(mesh, scene, {}, observer);
 }
 
 }  // namespace sightline

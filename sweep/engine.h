@@ -4,15 +4,18 @@
 // Out: the same VisibleSegments from both, but for the statistics, which count what was swept.
 //   - full: the sweep of all facets in view.
 //   - fast: facets that covers hide are left out; patches that no contour edge comes near are seen whole or not at all,
-//     which the sweep of the others tells. It needs the mesh's contacts (Mesh::touched; cut_along_common_lines) and
+//     which the sweep of the others tells; that is done in bands of the image, by all threads of the calling task arena
+//     (oneTBB). It needs the mesh's contacts (Mesh::touched; cut_along_common_lines) and
 //     exact arithmetic; without, all is swept. So it is where depths turn out not to be transitive (sweep.h): what is
 //     seen there depends on all facets.
+// An observer is called for all bands, by one thread at a time, and sees their points in no order of its own.
 // Complexity: O(n log n) and the sweep of what is left: of a smooth surface, some square root of n.
 // Errors: as the sweep.
 // Source: DESIGN.md section 8.
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "sweep/sweep.h"
 
@@ -23,8 +26,12 @@ enum class Engine : std::uint8_t { fast, full };
 [[nodiscard]] VisibleSegments find_visible_segments(const Mesh& mesh, const ProjectedScene& scene,
                                                     Engine engine = Engine::fast, SweepObserver* observer = nullptr);
 
-// The fast engine with a grid of 2^level cells along each side of the window: the result does not depend on it.
-[[nodiscard]] VisibleSegments fast_visible_segments(const Mesh& mesh, const ProjectedScene& scene, int level,
-                                                    SweepObserver* observer = nullptr);
+// What the fast engine chooses by itself: the result does not depend on it.
+struct FastOptions {
+  std::optional<int> level;          // 2^level cells along each side of the window
+  std::optional<std::size_t> bands;  // that are swept in parallel
+};
+[[nodiscard]] VisibleSegments fast_visible_segments(const Mesh& mesh, const ProjectedScene& scene,
+                                                    const FastOptions& options, SweepObserver* observer = nullptr);
 
 }  // namespace sightline

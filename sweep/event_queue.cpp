@@ -5,9 +5,6 @@
 namespace sightline {
 namespace {
 
-template <class Decisions>
-constexpr auto later = [](const auto& a, const auto& b) { return Decisions::compare(a.point, b.point) > 0; };
-
 constexpr auto pair_before = [](const auto& a, const auto& b) { return a.a != b.a ? a.a < b.a : a.b < b.b; };
 
 constexpr auto same_pair = [](const auto& a, const auto& b) { return a.a == b.a && a.b == b.b; };
@@ -15,17 +12,30 @@ constexpr auto same_pair = [](const auto& a, const auto& b) { return a.a == b.a 
 }  // namespace
 
 template <class Decisions>
+int EventQueue<Decisions>::compare(const Entry& a, const Entry& b) const {
+  if (const int by_y = Decisions::compare_rounded(a.y, b.y); by_y != 0) return by_y;
+  return Decisions::compare(events_[a.event].point, events_[b.event].point);
+}
+
+template <class Decisions>
 void EventQueue<Decisions>::add(const Event& crossing) {
-  heap_.push_back(crossing);
-  std::push_heap(heap_.begin(), heap_.end(), later<Decisions>);
+  if (free_.empty()) {
+    free_.push_back(static_cast<std::uint32_t>(events_.size()));
+    events_.emplace_back();
+  }
+  events_[free_.back()] = crossing;
+  heap_.push_back({static_cast<double>(crossing.point.y), free_.back()});
+  free_.pop_back();
+  std::push_heap(heap_.begin(), heap_.end(), [this](const Entry& a, const Entry& b) { return compare(a, b) > 0; });
 }
 
 template <class Decisions>
 typename EventQueue<Decisions>::Event EventQueue<Decisions>::pop_crossing() {
-  std::pop_heap(heap_.begin(), heap_.end(), later<Decisions>);
-  const Event crossing = heap_.back();
+  std::pop_heap(heap_.begin(), heap_.end(), [this](const Entry& a, const Entry& b) { return compare(a, b) > 0; });
+  const std::uint32_t event = heap_.back().event;
   heap_.pop_back();
-  return crossing;
+  free_.push_back(event);
+  return events_[event];
 }
 
 template <class Decisions>
@@ -33,9 +43,10 @@ bool EventQueue<Decisions>::next(Point& point) {
   point = {};
   const bool vertex_left = next_vertex_ < scene_->points.size();
   if (!vertex_left && heap_.empty()) return false;
-  const int order = !vertex_left    ? -1
-                    : heap_.empty() ? 1
-                                    : Decisions::compare(heap_.front().point, scene_->points[next_vertex_]);
+  const int order = !vertex_left ? -1
+                    : heap_.empty()
+                        ? 1
+                        : Decisions::compare(events_[heap_.front().event].point, scene_->points[next_vertex_]);
   if (order >= 0) point.vertex = PointId(next_vertex_++);
   point.next_vertex = PointId(next_vertex_);
   if (order <= 0) take_crossings_at_first(point);
@@ -47,7 +58,7 @@ template <class Decisions>
 void EventQueue<Decisions>::take_crossings_at_first(Point& point) {
   auto& crossings = point.crossings;
   crossings.push_back(pop_crossing());
-  while (!heap_.empty() && Decisions::compare(heap_.front().point, crossings.front().point) == 0) {
+  while (!heap_.empty() && Decisions::compare(events_[heap_.front().event].point, crossings.front().point) == 0) {
     crossings.push_back(pop_crossing());
   }
   std::sort(crossings.begin(), crossings.end(), pair_before);

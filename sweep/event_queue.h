@@ -7,6 +7,7 @@
 #pragma once
 
 #include <boost/container/small_vector.hpp>
+#include <cstdint>
 #include <vector>
 
 #include "geometry/projected_scene.h"
@@ -43,12 +44,21 @@ class EventQueue {
   [[nodiscard]] bool next(Point& point);
 
  private:
+  // Small, since a heap moves its entries around: most comparisons need no more than y.
+  struct Entry {
+    double y = 0;  // the event's, rounded
+    std::uint32_t event = 0;
+  };
+
+  [[nodiscard]] int compare(const Entry& a, const Entry& b) const;
   void take_crossings_at_first(Point& point);
   Event pop_crossing();
 
   const ProjectedScene* scene_;
   std::size_t next_vertex_ = 0;
-  std::vector<Event> heap_;
+  std::vector<Entry> heap_;
+  std::vector<Event> events_;
+  std::vector<std::uint32_t> free_;  // places in events_
 };
 
 extern template class EventQueue<ExactDecisions>;

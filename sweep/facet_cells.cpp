@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "geometry/parallel.h"
 #include "sweep/facet_outline.h"
 
 namespace sightline {
@@ -91,11 +92,13 @@ bool is_over(std::span<const ImagePoint> outline, double turn, const ImagePoint&
 template <class Visit>
 void for_each_cell_of_triangle(std::span<const ImagePoint> corners, const CellGrid& grid, Visit visit) {
   const TriangleInCells triangle(corners, grid);
-  CellGrid::for_each(grid.range_of(corners), [&](unsigned column, unsigned row) {
+  const CellRange range = grid.range_of(corners);
+  const bool narrow = range.is_narrow();
+  CellGrid::for_each(range, [&](unsigned column, unsigned row) {
     const ImagePoint centre = grid.centre(column, row);
     const auto x = static_cast<double>(centre.x);
     const auto y = static_cast<double>(centre.y);
-    if (!triangle.misses(x, y)) visit(FacetCell(grid.cell(column, row), triangle.is_over(x, y)));
+    if (narrow || !triangle.misses(x, y)) visit(FacetCell(grid.cell(column, row), triangle.is_over(x, y)));
     return true;
   });
 }
@@ -103,26 +106,35 @@ void for_each_cell_of_triangle(std::span<const ImagePoint> corners, const CellGr
 // Going through all cells of the bounding box pays up to here.
 bool is_small(const CellRange& range) { return (range.right - range.left + 1) * (range.top - range.bottom + 1) <= 16; }
 
+void add_cells(const ProjectedScene& scene, FacetId f, const CellGrid& grid, std::vector<FacetCell>& cells) {
+  const FacetOutline outline(scene, f);
+  const auto points = outline.points();
+  if (points.size() == 3 && is_small(grid.range_of(points))) {
+    for_each_cell_of_triangle(points, grid, [&](FacetCell cell) { cells.push_back(cell); });
+    return;
+  }
+  const double turn = scene.facing[f.index()] == Facing::back ? -1 : 1;
+  grid.for_each_in_polygon(points, [&](unsigned column, unsigned row) {
+    cells.emplace_back(grid.cell(column, row), is_over(points, turn, grid.centre(column, row)));
+    return true;
+  });
+}
+
 }  // namespace
 
-FacetCells::FacetCells(const ProjectedScene& scene, const CellGrid& grid) {
-  begin_.reserve(scene.status.size() + 1);
-  for (std::size_t f = 0; f < scene.status.size(); ++f) {
-    begin_.push_back(static_cast<std::uint32_t>(cells_.size()));
-    if (scene.status[f] != Status::in_view) continue;
-    const FacetOutline outline(scene, FacetId(f));
-    const auto points = outline.points();
-    if (points.size() == 3 && is_small(grid.range_of(points))) {
-      for_each_cell_of_triangle(points, grid, [this](FacetCell cell) { cells_.push_back(cell); });
-      continue;
+FacetCells::FacetCells(const ProjectedScene& scene, const CellGrid& grid) : begin_(scene.status.size() + 1, 0) {
+  std::vector<std::vector<FacetCell>> parts(range_count(scene.status.size()));
+  parallel_for_ranges(scene.status.size(), [&](std::size_t range, std::size_t begin, std::size_t end) {
+    std::vector<FacetCell>& part = parts[range];
+    for (std::size_t f = begin; f < end; ++f) {
+      const std::size_t before = part.size();
+      if (scene.status[f] == Status::in_view) add_cells(scene, FacetId(f), grid, part);
+      begin_[f + 1] = static_cast<std::uint32_t>(part.size() - before);
     }
-    const double turn = scene.facing[f] == Facing::back ? -1 : 1;
-    grid.for_each_in_polygon(points, [&](unsigned column, unsigned row) {
-      cells_.emplace_back(grid.cell(column, row), is_over(points, turn, grid.centre(column, row)));
-      return true;
-    });
-  }
-  begin_.push_back(static_cast<std::uint32_t>(cells_.size()));
+  });
+  for (std::size_t f = 1; f < begin_.size(); ++f) begin_[f] += begin_[f - 1];
+  cells_.reserve(begin_.back());
+  for (const auto& part : parts) cells_.insert(cells_.end(), part.begin(), part.end());
 }
 
 }  // namespace sightline

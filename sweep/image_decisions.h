@@ -39,6 +39,11 @@ struct ExactDecisions {
   // Sweep order: -1 where the first comes first, 0 where they are one point.
   static int compare(const Place& a, const ImagePoint& b) { return sweep_compare(a, b); }
   static int compare(const Place& a, const Place& b) { return sweep_compare(a, b); }
+  // By the rounded y of places alone; 0 where that does not decide.
+  static int compare_rounded(double a, double b) {
+    const double apart = b - a;
+    return std::fabs(apart) > crossing_order_bound ? (apart > 0 ? 1 : -1) : 0;
+  }
 };
 
 template <class Real>
@@ -77,6 +82,7 @@ struct UnfilteredDecisions {
     return a.x < b.x ? -1 : (a.x > b.x ? 1 : 0);
   }
   static int compare(const Place& a, const ImagePoint& b) { return compare(a, place(b)); }
+  static int compare_rounded(double a, double b) { return a > b ? -1 : (a < b ? 1 : 0); }
   static bool is_number(const Place& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 
  private:

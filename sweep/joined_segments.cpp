@@ -1,8 +1,10 @@
 #include "sweep/joined_segments.h"
 
 #include <algorithm>
+#include <tuple>
 
 #include "geometry/errors.h"
+#include "sweep/crossing_point.h"
 #include "sweep/image_decisions.h"
 
 namespace sightline {
@@ -10,49 +12,158 @@ namespace {
 
 enum class Seen : std::uint8_t { unknown, no, yes };
 
-// Left of its edge a segment runs upwards.
-bool is_left_of_edge(const VisibleSegment& segment, const SweepOrder& order) {
-  return order(segment.end, segment.start);
-}
-
 // A segment where it opens.
 struct Opening {
   VisibleSegment segment;
-  SegmentId swept;  // its number in the part's sweep; invalid: of a patch
+  BandId band;      // invalid: of a patch
+  SegmentId swept;  // its number in the band's sweep
   bool left_of_edge = false;
+
+  // Left of its edge a segment runs upwards.
+  [[nodiscard]] PointId upper() const { return left_of_edge ? segment.end : segment.start; }
+};
+
+auto key_of(const Crossing& c) { return std::tuple(c.after, c.a, c.b); }
+
+// The crossings that what is used of all bands has as its points, in sweep order, each once.
+class JoinedCrossings {
+ public:
+  JoinedCrossings(const ProjectedScene& scene, std::vector<Crossing> crossings) : vertices_(scene.points.size()) {
+    std::vector<Placed> placed;
+    for (const Crossing& c : crossings) {
+      const SceneEdge& a = scene.edge(c.a);
+      const SceneEdge& b = scene.edge(c.b);
+      placed.push_back(
+          {c, crossing_point(scene.point(a.top), scene.point(a.bottom), scene.point(b.top), scene.point(b.bottom))});
+    }
+    std::ranges::sort(placed, [](const Placed& x, const Placed& y) {
+      if (x.crossing.after != y.crossing.after) return x.crossing.after < y.crossing.after;
+      return sweep_compare(x.place, y.place) < 0;
+    });
+    for (const Placed& p : placed) {
+      if (!crossings_.empty() && key_of(crossings_.back()) == key_of(p.crossing)) continue;
+      index_.emplace_back(key_of(p.crossing), crossings_.size());
+      crossings_.push_back(p.crossing);
+    }
+    std::ranges::sort(index_);
+  }
+
+  [[nodiscard]] PointId name(const Crossing& c) const {
+    const auto found = std::ranges::lower_bound(index_, key_of(c), {}, &std::pair<Key, std::size_t>::first);
+    return PointId(vertices_ + found->second);
+  }
+  [[nodiscard]] const std::vector<Crossing>& all() const { return crossings_; }
+
+ private:
+  using Key = std::tuple<PointId, EdgeId, EdgeId>;
+  struct Placed {
+    Crossing crossing;
+    CrossingPoint place;
+  };
+
+  std::size_t vertices_;
+  std::vector<Crossing> crossings_;
+  std::vector<std::pair<Key, std::size_t>> index_;
 };
 
 class Joining {
  public:
-  Joining(const ProjectedScene& scene, const Continuation& continuation, const Patches& patches,
-          const VisibleSegments& swept)
-      : scene_(scene), continuation_(continuation), patches_(patches), swept_(swept), order_(scene, swept) {}
+  Joining(const ProjectedScene& scene, const Continuation& continuation, const Patches& patches, const Bands& bands,
+          std::vector<VisibleSegments> swept)
+      : scene_(scene), continuation_(continuation), patches_(patches), bands_(bands), swept_(std::move(swept)) {}
 
   VisibleSegments join() {
+    for (std::size_t band = 0; band < swept_.size(); ++band) drop_foreign(BandId(band));
+    join_crossings();
+    collect_swept();
     find_seen_patches();
-    new_name_.resize(swept_.segments.size());
     for (std::size_t p = 0; p < scene_.points.size(); ++p) {
       take_swept_through(PointId(p));
       open_patches_at(PointId(p));
       place_openings();
     }
     take_swept_through({});
-    take_threads_and_splits();
-    drop_unused_crossings();
-    result_.statistics = swept_.statistics;
+    take_threads();
     return std::move(result_);
   }
 
  private:
-  [[nodiscard]] bool is_open(FacetId f) const { return patches_.role[f.index()] == Role::open; }
+  [[nodiscard]] bool is_of(FacetId f, BandId band) const { return bands_.band_of[f.index()] == band; }
+
+  // What a band's sweep says of other facets than its own is not used.
+  void drop_foreign(BandId band) {
+    VisibleSegments& swept = swept_[band.index()];
+    std::erase_if(swept.threads, [&](const Thread& t) { return !is_of(t.facet, band); });
+    std::erase_if(swept.splits, [&](const EdgeSplit& s) { return !is_of(s.facet, band); });
+    result_.statistics += swept.statistics;
+  }
+
+  template <class Visit>
+  void for_each_point(BandId band, Visit visit) {
+    for (VisibleSegment& s : swept_[band.index()].segments) {
+      if (!is_of(s.facet, band)) continue;
+      visit(s.start);
+      visit(s.end);
+    }
+    for (EdgeSplit& split : swept_[band.index()].splits) visit(split.point);
+  }
+
+  void join_crossings() {
+    const std::size_t vertices = scene_.points.size();
+    std::vector<std::vector<std::uint8_t>> used(swept_.size());
+    std::vector<Crossing> crossings;
+    for (std::size_t band = 0; band < swept_.size(); ++band) {
+      const auto& own = swept_[band].crossings;
+      used[band].assign(own.size(), 0);
+      for_each_point(BandId(band), [&](const PointId& p) {
+        if (p.index() >= vertices) used[band][p.index() - vertices] = 1;
+      });
+      for (std::size_t i = 0; i < own.size(); ++i) {
+        if (used[band][i] != 0) crossings.push_back(own[i]);
+      }
+    }
+    const JoinedCrossings joined(scene_, std::move(crossings));
+    for (std::size_t band = 0; band < swept_.size(); ++band) {
+      const auto& own = swept_[band].crossings;
+      std::vector<PointId> name(own.size());
+      for (std::size_t i = 0; i < own.size(); ++i) {
+        if (used[band][i] != 0) name[i] = joined.name(own[i]);
+      }
+      for_each_point(BandId(band), [&](PointId& p) {
+        if (p.index() >= vertices) p = name[p.index() - vertices];
+      });
+    }
+    result_.crossings = joined.all();
+  }
+
+  // In the order in which they open. Those of one point and one band are from left to right already.
+  void collect_swept() {
+    const SweepOrder order(scene_, result_);
+    new_name_.resize(swept_.size());
+    for (std::size_t band = 0; band < swept_.size(); ++band) {
+      const auto& segments = swept_[band].segments;
+      new_name_[band].resize(segments.size());
+      const std::size_t begin = from_bands_.size();
+      for (std::size_t s = 0; s < segments.size(); ++s) {
+        if (is_of(segments[s].facet, BandId(band)))
+          from_bands_.push_back({segments[s], BandId(band), SegmentId(s), order(segments[s].end, segments[s].start)});
+      }
+      std::inplace_merge(from_bands_.begin(), from_bands_.begin() + static_cast<std::ptrdiff_t>(begin),
+                         from_bands_.end(),
+                         [&](const Opening& a, const Opening& b) { return order(a.upper(), b.upper()); });
+      auto& splits = result_.splits;
+      splits.insert(splits.end(), swept_[band].splits.begin(), swept_[band].splits.end());
+    }
+    std::ranges::sort(result_.splits);
+    const auto repeated = std::ranges::unique(result_.splits);
+    result_.splits.erase(repeated.begin(), repeated.end());
+  }
 
   // An open facet that is seen along its edge with a facet of a patch shows that all of the patch is seen.
   void find_seen_patches() {
     std::vector<std::uint8_t> seen_left(scene_.edge_count(), 0);
     std::vector<std::uint8_t> seen_right(scene_.edge_count(), 0);
-    for (const VisibleSegment& s : swept_.segments) {
-      if (is_open(s.facet)) (is_left_of_edge(s, order_) ? seen_left : seen_right)[s.edge.index()] = 1;
-    }
+    for (const Opening& o : from_bands_) (o.left_of_edge ? seen_left : seen_right)[o.segment.edge.index()] = 1;
     seen_.assign(patches_.patch_count, Seen::unknown);
     for (std::size_t e = 0; e < scene_.edge_count(); ++e) {
       if (continuation_.is_contour(EdgeId(e))) continue;
@@ -61,6 +172,8 @@ class Joining {
       if (is_open(across.right)) note(across.left, seen_right[e] != 0);
     }
   }
+
+  [[nodiscard]] bool is_open(FacetId f) const { return patches_.role[f.index()] == Role::open; }
 
   void note(FacetId facet, bool seen) {
     const PatchId patch = patches_.patch_of[facet.index()];
@@ -77,18 +190,16 @@ class Joining {
     return patch.valid() && seen_[patch.index()] == Seen::yes;
   }
 
-  // What the part's sweep opened before point p, and at p (invalid: all that is left). That of other facets than open
-  // ones is not used.
+  // What opens before point p, crossing by crossing, and what opens at p (invalid: all that is left).
   void take_swept_through(PointId p) {
-    for (; next_swept_ < swept_.segments.size(); ++next_swept_) {
-      const VisibleSegment& s = swept_.segments[next_swept_];
-      const bool left = is_left_of_edge(s, order_);
-      const PointId upper = left ? s.end : s.start;
-      if (p.valid() && order_(p, upper)) return;
-      if (!is_open(s.facet)) continue;
-      if (upper != p) place({s, SegmentId(next_swept_), left});
-      if (upper == p) openings_.push_back({s, SegmentId(next_swept_), left});
+    const SweepOrder order(scene_, result_);
+    for (; next_swept_ < from_bands_.size(); ++next_swept_) {
+      const Opening& opening = from_bands_[next_swept_];
+      if (p.valid() && order(p, opening.upper())) break;
+      if (!openings_.empty() && openings_.front().upper() != opening.upper()) place_openings();
+      openings_.push_back(opening);
     }
+    if (!openings_.empty() && openings_.front().upper() != p) place_openings();
   }
 
   // Edges are sorted by their tops.
@@ -98,8 +209,8 @@ class Joining {
       if (continuation_.is_contour(e)) continue;
       const auto& [left, right] = continuation_.across(e);
       const PointId bottom = scene_.edge(e).bottom;
-      if (is_seen_patch(left)) openings_.push_back({{bottom, p, left, right, e}, {}, true});
-      if (is_seen_patch(right)) openings_.push_back({{p, bottom, right, left, e}, {}, false});
+      if (is_seen_patch(left)) openings_.push_back({{bottom, p, left, right, e}, {}, {}, true});
+      if (is_seen_patch(right)) openings_.push_back({{p, bottom, right, left, e}, {}, {}, false});
     }
   }
 
@@ -122,55 +233,31 @@ class Joining {
   }
 
   void place(const Opening& opening) {
-    if (opening.swept.valid()) new_name_[opening.swept.index()] = SegmentId(result_.segments.size());
+    if (opening.band.valid())
+      new_name_[opening.band.index()][opening.swept.index()] = SegmentId(result_.segments.size());
     result_.segments.push_back(opening.segment);
   }
 
-  void take_threads_and_splits() {
-    for (Thread thread : swept_.threads) {
-      if (!is_open(thread.facet)) continue;
-      thread.segment = new_name_[thread.segment.index()];
-      result_.threads.push_back(thread);
+  void take_threads() {
+    for (std::size_t band = 0; band < swept_.size(); ++band) {
+      for (Thread thread : swept_[band].threads) {
+        thread.segment = new_name_[band][thread.segment.index()];
+        result_.threads.push_back(thread);
+      }
     }
-    for (const EdgeSplit& split : swept_.splits) {
-      if (is_open(split.facet)) result_.splits.push_back(split);
-    }
-  }
-
-  template <class Visit>
-  void for_each_point(Visit visit) {
-    for (VisibleSegment& s : result_.segments) {
-      visit(s.start);
-      visit(s.end);
-    }
-    for (EdgeSplit& split : result_.splits) visit(split.point);
-  }
-
-  // Some are of what other facets than open ones seemed to show.
-  void drop_unused_crossings() {
-    const std::size_t vertices = scene_.points.size();
-    std::vector<PointId> name(swept_.crossings.size());
-    for_each_point([&](const PointId& p) {
-      if (p.index() >= vertices) name[p.index() - vertices] = p;
-    });
-    for (std::size_t i = 0; i < name.size(); ++i) {
-      if (!name[i].valid()) continue;
-      name[i] = PointId(vertices + result_.crossings.size());
-      result_.crossings.push_back(swept_.crossings[i]);
-    }
-    for_each_point([&](PointId& p) {
-      if (p.index() >= vertices) p = name[p.index() - vertices];
-    });
+    const SweepOrder order(scene_, result_);
+    std::ranges::stable_sort(result_.threads, order, &Thread::top);
   }
 
   const ProjectedScene& scene_;
   const Continuation& continuation_;
   const Patches& patches_;
-  const VisibleSegments& swept_;
-  const SweepOrder order_;
-  std::vector<Seen> seen_;           // per patch
-  std::vector<SegmentId> new_name_;  // per segment of the part's sweep
-  std::vector<Opening> openings_;    // at the current point
+  const Bands& bands_;
+  std::vector<VisibleSegments> swept_;            // per band
+  std::vector<std::vector<SegmentId>> new_name_;  // per band and segment of its sweep
+  std::vector<Opening> from_bands_;               // in the order in which they open
+  std::vector<Seen> seen_;                        // per patch
+  std::vector<Opening> openings_;                 // at the current point
   std::size_t next_swept_ = 0;
   std::size_t next_edge_ = 0;
   VisibleSegments result_;
@@ -179,8 +266,8 @@ class Joining {
 }  // namespace
 
 VisibleSegments join_segments(const ProjectedScene& scene, const Continuation& continuation, const Patches& patches,
-                              const VisibleSegments& swept) {
-  return Joining(scene, continuation, patches, swept).join();
+                              const Bands& bands, std::vector<VisibleSegments> swept) {
+  return Joining(scene, continuation, patches, bands, std::move(swept)).join();
 }
 
 }  // namespace sightline

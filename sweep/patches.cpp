@@ -15,7 +15,6 @@ class PatchFinder {
 
   Patches find(const std::vector<std::uint8_t>& hidden) {
     set_roles(hidden);
-    find_swept();
     join_patches();
     return std::move(result_);
   }
@@ -66,19 +65,6 @@ class PatchFinder {
 
   [[nodiscard]] bool touches_no(FacetId f, const std::vector<std::uint8_t>& cells) const {
     return std::ranges::none_of(cells_.of(f), [&](const FacetCell& cell) { return cells[cell.cell()] != 0; });
-  }
-
-  void find_swept() {
-    std::vector<std::uint8_t> open_cells(grid_.cell_count(), 0);
-    for (std::size_t f = 0; f < mesh_.facet_count(); ++f) {
-      if (result_.role[f] != Role::open) continue;
-      for (const FacetCell& cell : cells_.of(FacetId(f))) open_cells[cell.cell()] = 1;
-    }
-    result_.swept.assign(mesh_.facet_count(), 0);
-    for (std::size_t f = 0; f < mesh_.facet_count(); ++f) {
-      const bool plain = result_.role[f] == Role::plain;
-      if (result_.role[f] == Role::open || (plain && !touches_no(FacetId(f), open_cells))) result_.swept[f] = 1;
-    }
   }
 
   // Plain facets that continue each other are of one patch. Patches are numbered by their first facets.

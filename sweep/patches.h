@@ -2,13 +2,11 @@
 //
 // In:  a mesh whose contacts are known (Mesh::touched), its projected scene, where the surface continues, the facets that
 //      are known to be hidden, a grid of cells and the cells of facets.
-// Out: per facet its role; per plain facet its patch; per facet whether the sweep has to know it.
+// Out: per facet its role; per plain facet its patch.
 // Holds:
 //   - no contour edge of a facet that may be seen touches a cell that a plain facet touches. What is visible changes at
 //     contour edges only, and where facets touch (never in a plain facet), so all of a plain facet is seen, or nothing,
 //     and so are those that continue it: together a patch;
-//   - in each cell that an open facet touches the sweep knows all facets but the hidden ones, so what it says of open
-//     facets is right;
 //   - each patch borders on an open facet, where the sweep's result tells whether the patch is seen.
 // Complexity: O(n) and the cells that contour edges touch.
 // Source: DESIGN.md section 8, idea 1.
@@ -35,9 +33,8 @@ enum class Role : std::uint8_t {
 using PatchId = Id<struct PatchTag>;
 
 struct Patches {
-  std::vector<Role> role;           // per facet
-  std::vector<std::uint8_t> swept;  // per facet
-  std::vector<PatchId> patch_of;    // per facet; invalid but for plain ones
+  std::vector<Role> role;         // per facet
+  std::vector<PatchId> patch_of;  // per facet; invalid but for plain ones
   std::size_t patch_count = 0;
 };
 

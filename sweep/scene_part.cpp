@@ -9,13 +9,13 @@ namespace {
 
 class PartBuilder {
  public:
-  PartBuilder(const ProjectedScene& whole, const std::vector<std::uint8_t>& kept)
-      : whole_(whole), kept_(kept), new_point_(whole.points.size()) {}
+  PartBuilder(const ProjectedScene& whole, const Continuation& continuation, std::span<const FacetId> kept)
+      : whole_(whole), continuation_(continuation), kept_(kept) {}
 
   ScenePart build() {
     copy_settings();
+    find_points_and_edges();
     add_facets();
-    number_points();
     add_edges();
     return std::move(part_);
   }
@@ -31,48 +31,60 @@ class PartBuilder {
     scene.status.assign(whole_.status.size(), Status::out_of_view);
   }
 
-  // A point that is used is its own name until points are numbered.
-  void add_facets() {
-    ProjectedScene& scene = part_.scene;
-    for (std::size_t f = 0; f < kept_.size(); ++f) {
-      scene.polygon_begin.push_back(static_cast<std::uint32_t>(scene.polygon_corners.size()));
-      if (kept_[f] == 0) continue;
-      scene.status[f] = whole_.status[f];
-      const auto polygon = whole_.polygon(FacetId(f));
-      scene.polygon_corners.insert(scene.polygon_corners.end(), polygon.begin(), polygon.end());
-      for (const ClippedCorner& corner : polygon) new_point_[corner.point.index()] = corner.point;
+  void find_points_and_edges() {
+    std::vector<std::uint8_t> used_edge(whole_.edge_count(), 0);
+    std::vector<std::uint8_t> used_point(whole_.points.size(), 0);
+    for (const FacetId f : kept_) {
+      part_.scene.status[f.index()] = whole_.status[f.index()];
+      for (const ClippedCorner& corner : whole_.polygon(f)) used_point[corner.point.index()] = 1;
+      for (const EdgeId e : continuation_.edges_of(whole_, f)) {
+        if (e.valid()) used_edge[e.index()] = 1;
+      }
     }
-    scene.polygon_begin.push_back(static_cast<std::uint32_t>(scene.polygon_corners.size()));
+    new_point_.resize(whole_.points.size());
+    for (std::size_t p = 0; p < used_point.size(); ++p) {
+      if (used_point[p] == 0) continue;
+      new_point_[p] = PointId(part_.point.size());
+      part_.point.emplace_back(p);
+      part_.scene.points.push_back(whole_.points[p]);
+    }
+    for (std::size_t e = 0; e < used_edge.size(); ++e) {
+      if (used_edge[e] != 0) part_.edge.emplace_back(e);
+    }
   }
 
-  void number_points() {
-    for (PointId& p : new_point_) {
-      if (!p.valid()) continue;
-      part_.point.push_back(p);
-      part_.scene.points.push_back(whole_.point(p));
-      p = PointId(part_.point.size() - 1);
+  [[nodiscard]] PointId new_point(PointId p) const { return new_point_[p.index()]; }
+
+  void add_facets() {
+    ProjectedScene& scene = part_.scene;
+    scene.polygon_begin.reserve(whole_.status.size() + 1);
+    for (const FacetId f : kept_) {
+      scene.polygon_begin.resize(f.index() + 1, static_cast<std::uint32_t>(scene.polygon_corners.size()));
+      for (ClippedCorner corner : whole_.polygon(f)) {
+        corner.point = new_point(corner.point);
+        scene.polygon_corners.push_back(corner);
+      }
     }
-    for (ClippedCorner& corner : part_.scene.polygon_corners) corner.point = new_point_[corner.point.index()];
+    scene.polygon_begin.resize(whole_.status.size() + 1, static_cast<std::uint32_t>(scene.polygon_corners.size()));
   }
 
   void add_edges() {
     ProjectedScene& scene = part_.scene;
-    for (std::size_t e = 0; e < whole_.edge_count(); ++e) {
-      const auto first_side = static_cast<std::uint32_t>(scene.sides.size());
-      for (const EdgeSide& side : whole_.sides_of(EdgeId(e))) {
-        if (kept_[side.facet.index()] != 0) scene.sides.push_back(side);
+    for (const EdgeId e : part_.edge) {
+      const SceneEdge& edge = whole_.edge(e);
+      scene.edges.push_back(
+          {new_point(edge.top), new_point(edge.bottom), static_cast<std::uint32_t>(scene.sides.size())});
+      for (const EdgeSide& side : whole_.sides_of(e)) {
+        if (scene.status[side.facet.index()] == Status::in_view) scene.sides.push_back(side);
       }
-      if (scene.sides.size() == first_side) continue;
-      const SceneEdge& edge = whole_.edges[e];
-      scene.edges.push_back({new_point_[edge.top.index()], new_point_[edge.bottom.index()], first_side});
-      part_.edge.emplace_back(e);
     }
     scene.edges.push_back({PointId{}, PointId{}, static_cast<std::uint32_t>(scene.sides.size())});
   }
 
   const ProjectedScene& whole_;
-  const std::vector<std::uint8_t>& kept_;
-  std::vector<PointId> new_point_;
+  const Continuation& continuation_;
+  const std::span<const FacetId> kept_;
+  std::vector<PointId> new_point_;  // per point of the whole
   ScenePart part_;
 };
 
@@ -124,8 +136,8 @@ class PointNames {
 
 }  // namespace
 
-ScenePart part_of(const ProjectedScene& whole, const std::vector<std::uint8_t>& kept) {
-  return PartBuilder(whole, kept).build();
+ScenePart part_of(const ProjectedScene& whole, const Continuation& continuation, std::span<const FacetId> kept) {
+  return PartBuilder(whole, continuation, kept).build();
 }
 
 VisibleSegments in_whole(const ProjectedScene& whole, const ScenePart& part, VisibleSegments segments) {

@@ -1,14 +1,16 @@
 // A scene with some of its facets only, and the way back to the whole.
 //
-// In:  a projected scene and the facets to keep.
+// In:  a projected scene, where its surface continues, and the facets to keep, by their ids.
 // Out: a valid projected scene of these. Facets keep their ids; points and edges are numbered anew, in the same order.
 //      in_whole() gives what the sweep of the part has found in the ids of the whole.
-// Complexity: O(n) to look at all facets and edges, and O(m log m) for the m that are kept.
+// Complexity: O(n), of which all but the m facets that are kept cost a few bytes each.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "geometry/projected_scene.h"
+#include "sweep/continuation.h"
 #include "sweep/visible_segments.h"
 
 namespace sightline {
@@ -19,7 +21,8 @@ struct ScenePart {
   std::vector<EdgeId> edge;    // per edge of the part
 };
 
-[[nodiscard]] ScenePart part_of(const ProjectedScene& whole, const std::vector<std::uint8_t>& kept);
+[[nodiscard]] ScenePart part_of(const ProjectedScene& whole, const Continuation& continuation,
+                                std::span<const FacetId> kept);
 
 [[nodiscard]] VisibleSegments in_whole(const ProjectedScene& whole, const ScenePart& part, VisibleSegments segments);
 

@@ -30,7 +30,8 @@ class Sweep {
         directions_(scene),
         queue_(scene),
         active_(scene.edge_count()),
-        depth_(mesh, scene),
+        ranges_(Decisions::is_exact ? depth_ranges(scene) : std::vector<DepthRange>{}),
+        depth_(mesh, scene, ranges_),
         recorder_(mesh, scene, result_) {}
 
   VisibleSegments run() {
@@ -39,7 +40,7 @@ class Sweep {
       arrange_below();
       replace_in_active_list();
       update_node_lists();
-      recorder_.at(name_of_point(), above_segments_, below_, left_list_.topmost(), active_);
+      recorder_.at(name_of_point(), above_segments_, below_, left_topmost_, active_);
       queue_crossings();
       count();
       if (observer_ != nullptr) notify();
@@ -147,7 +148,7 @@ class Sweep {
 
   // The entries of the bundles above are used again for those below.
   void replace_in_active_list() {
-    old_right_list_ = above_.empty() ? NodeList{} : active_[above_.back()].right;
+    old_right_list_ = above_.empty() ? NodeList{} : std::move(active_[above_.back()].right);
     below_.clear();
     BundleId left = left_neighbour_;
     for (std::size_t begin = 0; begin < edges_below_.size();) {
@@ -165,15 +166,15 @@ class Sweep {
   // Right of a bundle = left of it, minus the facets that leave, plus those that enter. The last span is the one that
   // was there before.
   void update_node_lists() {
-    left_list_ = left_neighbour_.valid() ? active_[left_neighbour_].right : NodeList{};
-    if (above_.empty()) old_right_list_ = left_list_;
-    NodeList list = left_list_;
+    NodeList list = left_neighbour_.valid() ? active_[left_neighbour_].right : NodeList{};
+    left_topmost_ = list.topmost();
+    if (above_.empty()) old_right_list_ = list;
     for (const BundleId b : below_) {
       for (const EdgeId e : active_[b].edges)
         sides_.insert(sides_.end(), scene_.sides_of(e).begin(), scene_.sides_of(e).end());
       list.cross(sides_, depth_, order_);
       sides_.clear();
-      active_[b].right = list;
+      if (b != below_.back()) active_[b].right = list;
     }
     check(list.same_contents(old_right_list_), "the node lists around the point do not agree");
     check(right_neighbour_.valid() || old_right_list_.nodes().empty(),
@@ -182,7 +183,7 @@ class Sweep {
       check(order_ == NodeOrder::depth, "equal node lists have different topmost facets");
       throw IntransitiveDepth{};
     }
-    if (!below_.empty()) active_[below_.back()].right = old_right_list_;
+    if (!below_.empty()) active_[below_.back()].right = std::move(old_right_list_);
   }
 
   void queue_crossings() {
@@ -278,6 +279,7 @@ class Sweep {
   const EdgeDirections<Decisions> directions_;
   EventQueue<Decisions> queue_;
   ActiveEdgeList active_;
+  const std::vector<DepthRange> ranges_;
   DepthOrder depth_;
   VisibleSegments result_;
   SegmentRecorder recorder_;
@@ -291,7 +293,8 @@ class Sweep {
   std::vector<AboveSegment> above_segments_;
   std::vector<EdgeId> edges_below_;
   std::vector<EdgeSide> sides_;
-  NodeList left_list_, old_right_list_;
+  FacetId left_topmost_;
+  NodeList old_right_list_;
 };
 
 template <class Decisions>

@@ -61,6 +61,17 @@ struct SweepStatistics {
   std::uint64_t depth_comparisons = 0;
   bool depth_is_transitive = true;  // false: spans were decided by tournament (node_list.h)
   predicates::Counts predicates;
+
+  SweepStatistics& operator+=(const SweepStatistics& other) {
+    sweep_points += other.sweep_points;
+    degenerate_sweep_points += other.degenerate_sweep_points;
+    crossings += other.crossings;
+    depth_comparisons += other.depth_comparisons;
+    depth_is_transitive = depth_is_transitive && other.depth_is_transitive;
+    predicates.calls += other.predicates.calls;
+    predicates.filtered += other.predicates.filtered;
+    return *this;
+  }
 };
 
 struct VisibleSegments {

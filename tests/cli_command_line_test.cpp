@@ -67,6 +67,16 @@ TEST_CASE("the dial is exact on 40 bits unless asked") {
   CHECK(asked.grid_bits == 8);
 }
 
+TEST_CASE("the fast engine and all threads are taken unless asked") {
+  const auto by_default = std::get<AnalyzeOptions>(parse({"analyze", "s.toml", "--json"}));
+  CHECK(by_default.engine == Engine::fast);
+  CHECK(by_default.threads >= 1);
+  const auto asked =
+      std::get<AnalyzeOptions>(parse({"analyze", "s.toml", "--json", "--engine", "full", "--threads", "3"}));
+  CHECK(asked.engine == Engine::full);
+  CHECK(asked.threads == 3);
+}
+
 TEST_CASE("help and version are texts") {
   CHECK(std::get<RequestedText>(parse({"analyze", "--help"})).text.find("--fov-y") != std::string::npos);
   CHECK(std::get<RequestedText>(parse({"--help"})).text.find("analyze") != std::string::npos);
@@ -88,6 +98,10 @@ TEST_CASE("a wrong command line is one line that names the option") {
       {{"analyze", "s.toml", "-o", "out", "--grid-bits", "7"}, "--grid-bits: '7'"},
       {{"analyze", "s.toml", "-o", "out", "--grid-bits", "41"}, "--grid-bits: '41'"},
       {{"analyze", "s.toml", "-o", "out", "--grid-bits", "9.5"}, "--grid-bits: '9.5'"},
+      {{"analyze", "s.toml", "-o", "out", "--engine", "slow"}, "--engine: 'slow'"},
+      {{"analyze", "s.toml", "-o", "out", "--threads", "0"}, "--threads: '0'"},
+      {{"analyze", "s.toml", "-o", "out", "--threads", "1.5"}, "--threads: '1.5'"},
+      {{"analyze", "s.toml", "-o", "out", "--threads", "1025"}, "--threads: '1025'"},
       {{"analyze", "a.obj", "-o", "out"}, "give --eye"},
       {mesh_call, "--target: '+0' is not a number"},
       {replaced(mesh, "-1,2.5,3e1", "1,2"), "--eye: '1,2' is not of the form X,Y,Z"},

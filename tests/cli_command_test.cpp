@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "command_runner.h"
+#include "result_snapshot.h"
 
 using namespace sightline::testing;
 using Json = nlohmann::ordered_json;
@@ -71,6 +72,24 @@ TEST_CASE("the dial is in the report") {
   const RunResult run = run_sightline({"analyze", fang_scene, "--json", "--arithmetic", "float", "--grid-bits", "20"});
   CHECK(run.exit_code == 0);
   CHECK(Json::parse(run.out)["precision"] == Json{{"arithmetic", "float"}, {"grid_bits", 20}});
+}
+
+TEST_CASE("engines and threads write the same files, but for the report") {
+  const std::string scene = SIGHTLINE_FIXTURES_DIR "/demo/scene.toml";
+  const auto files_of = [&](const std::vector<std::string>& options) {
+    const TemporaryFolder folder;
+    std::vector<std::string> arguments{"analyze", scene, "--quiet", "-o", folder.path().string()};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    CHECK(run_sightline(arguments).exit_code == 0);
+    Snapshot files = snapshot_of(folder.path());
+    std::erase_if(files, [](const auto& file) { return file.first.ends_with("report.json"); });
+    return files;
+  };
+  const Snapshot expected = files_of({"--engine", "full", "--threads", "1"});
+  CHECK(expected.size() > 5);
+  CHECK(files_of({"--threads", "1"}) == expected);
+  CHECK(files_of({"--threads", "2"}) == expected);
+  CHECK(files_of({"--threads", "5"}) == expected);
 }
 
 TEST_CASE("--json prints the report that is written, and an array for several cameras") {
