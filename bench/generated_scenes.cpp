@@ -3,18 +3,15 @@
 #include <cmath>
 #include <numbers>
 
+#include "bench/scene_parts.h"
+
 namespace sightline::bench {
 namespace {
 
-void add_triangle(PolygonList& faces, std::size_t a, std::size_t b, std::size_t c) {
-  const std::array corners{VertexId(a), VertexId(b), VertexId(c)};
-  faces.push_back(corners);
-}
-
 Point3 folded_sphere_point(double latitude, double longitude) {
   const double radius = 1 + 0.25 * std::sin(7 * latitude) * std::sin(5 * longitude);
-  return {radius * std::sin(latitude) * std::cos(longitude), radius * std::cos(latitude),
-          radius * std::sin(latitude) * std::sin(longitude)};
+  return as_in_a_file({radius * std::sin(latitude) * std::cos(longitude), radius * std::cos(latitude),
+                       radius * std::sin(latitude) * std::sin(longitude)});
 }
 
 }  // namespace
@@ -51,16 +48,13 @@ Mesh terrain(std::size_t triangles) {
     for (std::size_t c = 0; c <= cells; ++c) {
       const double x = 2 * static_cast<double>(c) / static_cast<double>(cells) - 1;
       const double z = 2 * static_cast<double>(r) / static_cast<double>(cells) - 1;
-      vertices.push_back({x, 0.15 * std::sin(9 * x) * std::cos(7 * z) + 0.03 * std::sin(41 * x + 3 * z), z});
+      const double y = 0.15 * std::sin(9 * x) * std::cos(7 * z) + 0.03 * std::sin(41 * x + 3 * z);
+      vertices.push_back(as_in_a_file({x, y, z}));
     }
   }
   PolygonList faces;
   for (std::size_t r = 0; r < cells; ++r) {
-    for (std::size_t c = 0; c < cells; ++c) {
-      const std::size_t corner = r * (cells + 1) + c;
-      add_triangle(faces, corner, corner + cells + 1, corner + 1);
-      add_triangle(faces, corner + 1, corner + cells + 1, corner + cells + 2);
-    }
+    for (std::size_t c = 0; c < cells; ++c) add_cell(faces, r * (cells + 1) + c, cells + 1);
   }
   return build_mesh(std::move(vertices), std::move(faces));
 }
@@ -69,6 +63,11 @@ Camera overview() { return perspective_camera("overview", {{1.5, 1.2, 3.0}, {0, 
 
 Camera grazing_view() {
   return perspective_camera("grazing", {{0.3, 0.5, 2.2}, {0, 0, 0}, {0, 1, 0}, 1.6, {}, {}}, 50);
+}
+
+// Beside the axis, so that vertices of grids one behind the other do not fall on each other.
+Camera view_into_box() {
+  return perspective_camera("into the box", {{0.0513, 0.0287, 4}, {0, 0, 0}, {0, 1, 0}, 1, {}, {}}, 38);
 }
 
 Camera view_from_above() { return perspective_camera("above", {{0.1, 8, 0.2}, {0, 0, 0}, {0, 0, -1}, 1, {}, {}}, 20); }

@@ -1,4 +1,10 @@
 // Scenes of any size for measurements, the same in every run.
+//
+// In:  how many triangles, about.
+// Out: a mesh within [-1.5, 1.5]^3, and the cameras that look at it.
+// Holds: coordinates have seven decimals, so that an OBJ file of them is a typical one, and says the same; no two
+//      triangles pass through each other.
+// Complexity: O(n log n), of build_mesh. Errors: none.
 #pragma once
 
 #include <cstddef>
@@ -8,15 +14,28 @@
 
 namespace sightline::bench {
 
-// A closed surface with folds that hide parts of it: a sphere whose radius waves. About `triangles` triangles.
+// A closed surface with folds that hide parts of it: a sphere whose radius waves.
 [[nodiscard]] Mesh folded_sphere(std::size_t triangles);
 
-// A height field of waves in waves. About `triangles` triangles.
+// A height field of waves in waves.
 [[nodiscard]] Mesh terrain(std::size_t triangles);
 
-// A view of the whole surface, one over the terrain at a grazing angle, and one from above that sees all of it.
+// Unconnected triangles at random places of a box, in random order. Each has a layer of the box's depth to itself and is
+// tilted at random within it. The shrinking ones have edges of about 7.5 / sqrt(n), so that five are expected over a point
+// whatever n is; the others edges of about 0.26, so that 0.006 n are.
+[[nodiscard]] Mesh shrinking_soup(std::size_t triangles);
+[[nodiscard]] Mesh deep_soup(std::size_t triangles);
+
+// Gridded squares of one size, one behind the other, in waves that are flatter than their distance. Seen in perspective
+// the front one is the largest and hides all others: wholly, or of `leaves`, where it has a hole, without half its cells.
+enum class FrontSheet { whole, leaves };
+[[nodiscard]] Mesh sheets(std::size_t triangles, std::size_t count, FrontSheet front);
+
+// A view of the whole surface, one over the terrain at a grazing angle, one from above that sees all of it, and one of
+// soups and sheets that is as wide as the front of their box.
 [[nodiscard]] Camera overview();
 [[nodiscard]] Camera grazing_view();
 [[nodiscard]] Camera view_from_above();
+[[nodiscard]] Camera view_into_box();
 
 }  // namespace sightline::bench

@@ -1,0 +1,118 @@
+#include "bench/limited_run.h"
+
+#include <poll.h>
+#include <sys/resource.h>
+#include <sys/time.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <system_error>
+#include <utility>
+
+#include "bench/processor_time.h"
+
+namespace sightline::bench {
+namespace {
+
+// A child that waits for something uses no processor time, and one on a busy machine little.
+constexpr double longest_wait_in_limits = 20;
+
+// What ends the process: SIGPROF when its processor time is used up. The recursion of some rivals is deep, and their hunger
+// for memory must not take the machine down.
+void limit_this_process(double seconds) {
+  itimerval timer{};
+  timer.it_value.tv_sec = static_cast<time_t>(seconds);
+  timer.it_value.tv_usec = static_cast<suseconds_t>(1e6 * (seconds - static_cast<double>(timer.it_value.tv_sec)));
+  setitimer(ITIMER_PROF, &timer, nullptr);
+  rlimit stack{};
+  getrlimit(RLIMIT_STACK, &stack);
+  stack.rlim_cur = stack.rlim_max;
+  setrlimit(RLIMIT_STACK, &stack);
+  const auto memory = static_cast<rlim_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
+  const rlimit most{memory / 4 * 3, memory / 4 * 3};
+  setrlimit(RLIMIT_AS, &most);
+}
+
+// Ends without the clean-up that is the parent's to do.
+[[noreturn]] void be_child(const Work& work, double limit_seconds, int pipe_end) {
+  try {
+    limit_this_process(limit_seconds);
+    const std::vector<double> numbers = work();
+    const auto bytes = static_cast<ssize_t>(numbers.size() * sizeof(double));
+    _exit(write(pipe_end, numbers.data(), static_cast<std::size_t>(bytes)) == bytes ? 0 : 1);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    _exit(1);
+  }
+}
+
+// Waits until the child closes its end.
+std::vector<double> read_numbers(int pipe_end, pid_t child, double limit_seconds) {
+  std::array<double, 64> buffer{};
+  pollfd watched{pipe_end, POLLIN, 0};
+  int ready = 0;
+  do {
+    ready = poll(&watched, 1, static_cast<int>(1000 * longest_wait_in_limits * limit_seconds));
+  } while (ready < 0 && errno == EINTR);
+  if (ready == 0) kill(child, SIGKILL);
+  const ssize_t bytes = read(pipe_end, buffer.data(), sizeof buffer);
+  const std::size_t count = bytes > 0 ? static_cast<std::size_t>(bytes) / sizeof(double) : 0;
+  return {buffer.begin(), buffer.begin() + static_cast<std::ptrdiff_t>(count)};
+}
+
+Outcome::End end_of(pid_t child) {
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (WIFSIGNALED(status) && WTERMSIG(status) == SIGPROF) return Outcome::End::out_of_time;
+  return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? Outcome::End::done : Outcome::End::failed;
+}
+
+std::vector<double> medians(const std::vector<std::vector<double>>& runs) {
+  std::vector<double> result;
+  for (std::size_t i = 0; i < runs.front().size(); ++i) {
+    std::vector<double> values;
+    for (const std::vector<double>& run : runs) values.push_back(run[i]);
+    std::sort(values.begin(), values.end());
+    result.push_back(values[values.size() / 2]);
+  }
+  return result;
+}
+
+}  // namespace
+
+Outcome run_once(const Work& work, double limit_seconds) {
+  std::array<int, 2> ends{};
+  if (pipe(ends.data()) != 0) throw std::system_error(errno, std::generic_category(), "pipe");
+  std::fflush(nullptr);  // else the child would write what is in the buffers again
+  const pid_t child = fork();
+  if (child < 0) throw std::system_error(errno, std::generic_category(), "fork");
+  if (child == 0) be_child(work, limit_seconds, ends[1]);
+  close(ends[1]);
+  Outcome outcome;
+  outcome.numbers = read_numbers(ends[0], child, limit_seconds);
+  close(ends[0]);
+  outcome.end = end_of(child);
+  return outcome;
+}
+
+Outcome run_repeatedly(const Work& work, const RunLimits& limits) {
+  std::vector<std::vector<double>> runs;
+  double spent = 0;
+  for (int run = 0; run < limits.runs && spent < limits.seconds; ++run) {
+    const ChildrenTime watch;
+    Outcome outcome = run_once(work, limits.seconds);
+    if (outcome.end != Outcome::End::done) return outcome;
+    runs.push_back(std::move(outcome.numbers));
+    spent += watch.seconds();
+  }
+  return {Outcome::End::done, medians(runs)};
+}
+
+}  // namespace sightline::bench
