@@ -2,7 +2,6 @@
 
 #include <poll.h>
 #include <sys/resource.h>
-#include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -11,6 +10,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <ctime>
 #include <exception>
 #include <system_error>
 #include <utility>
@@ -20,16 +20,10 @@
 namespace sightline::bench {
 namespace {
 
-// A child that waits for something uses no processor time, and one on a busy machine little.
-constexpr double longest_wait_in_limits = 20;
+constexpr int milliseconds_between_looks = 20;
 
-// What ends the process: SIGPROF when its processor time is used up. The recursion of some rivals is deep, and their hunger
-// for memory must not take the machine down.
-void limit_this_process(double seconds) {
-  itimerval timer{};
-  timer.it_value.tv_sec = static_cast<time_t>(seconds);
-  timer.it_value.tv_usec = static_cast<suseconds_t>(1e6 * (seconds - static_cast<double>(timer.it_value.tv_sec)));
-  setitimer(ITIMER_PROF, &timer, nullptr);
+// The recursion of some rivals is deep, and their hunger for memory must not take the machine down.
+void limit_this_process() {
   rlimit stack{};
   getrlimit(RLIMIT_STACK, &stack);
   stack.rlim_cur = stack.rlim_max;
@@ -40,9 +34,9 @@ void limit_this_process(double seconds) {
 }
 
 // Ends without the clean-up that is the parent's to do.
-[[noreturn]] void be_child(const Work& work, double limit_seconds, int pipe_end) {
+[[noreturn]] void be_child(const Work& work, int pipe_end) {
   try {
-    limit_this_process(limit_seconds);
+    limit_this_process();
     const std::vector<double> numbers = work();
     const auto bytes = static_cast<ssize_t>(numbers.size() * sizeof(double));
     _exit(write(pipe_end, numbers.data(), static_cast<std::size_t>(bytes)) == bytes ? 0 : 1);
@@ -52,26 +46,37 @@ void limit_this_process(double seconds) {
   }
 }
 
-// Waits until the child closes its end.
-std::vector<double> read_numbers(int pipe_end, pid_t child, double limit_seconds) {
-  std::array<double, 64> buffer{};
+double processor_seconds(pid_t child) {
+  clockid_t clock{};
+  timespec time{};
+  if (clock_getcpuclockid(child, &clock) != 0 || clock_gettime(clock, &time) != 0) return 0;
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+// Waits until the child writes or ends; false: it was ended, for its time was up. A timer in the child would do that
+// too, but where one runs Linux advances the child's own processor clock in steps of milliseconds only.
+bool ends_in_time(int pipe_end, pid_t child, double limit_seconds) {
   pollfd watched{pipe_end, POLLIN, 0};
-  int ready = 0;
-  do {
-    ready = poll(&watched, 1, static_cast<int>(1000 * longest_wait_in_limits * limit_seconds));
-  } while (ready < 0 && errno == EINTR);
-  if (ready == 0) kill(child, SIGKILL);
+  while (poll(&watched, 1, milliseconds_between_looks) <= 0) {
+    if (processor_seconds(child) < limit_seconds) continue;
+    kill(child, SIGKILL);
+    return false;
+  }
+  return true;
+}
+
+std::vector<double> read_numbers(int pipe_end) {
+  std::array<double, 64> buffer{};
   const ssize_t bytes = read(pipe_end, buffer.data(), sizeof buffer);
   const std::size_t count = bytes > 0 ? static_cast<std::size_t>(bytes) / sizeof(double) : 0;
   return {buffer.begin(), buffer.begin() + static_cast<std::ptrdiff_t>(count)};
 }
 
-Outcome::End end_of(pid_t child) {
+bool ended_well(pid_t child) {
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
-  if (WIFSIGNALED(status) && WTERMSIG(status) == SIGPROF) return Outcome::End::out_of_time;
-  return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? Outcome::End::done : Outcome::End::failed;
+  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
 std::vector<double> medians(const std::vector<std::vector<double>>& runs) {
@@ -93,13 +98,14 @@ Outcome run_once(const Work& work, double limit_seconds) {
   std::fflush(nullptr);  // else the child would write what is in the buffers again
   const pid_t child = fork();
   if (child < 0) throw std::system_error(errno, std::generic_category(), "fork");
-  if (child == 0) be_child(work, limit_seconds, ends[1]);
+  if (child == 0) be_child(work, ends[1]);
   close(ends[1]);
-  Outcome outcome;
-  outcome.numbers = read_numbers(ends[0], child, limit_seconds);
+  const bool in_time = ends_in_time(ends[0], child, limit_seconds);
+  std::vector<double> numbers = in_time ? read_numbers(ends[0]) : std::vector<double>{};
   close(ends[0]);
-  outcome.end = end_of(child);
-  return outcome;
+  const bool well = ended_well(child);
+  if (!in_time) return {Outcome::End::out_of_time, {}};
+  return {well ? Outcome::End::done : Outcome::End::failed, std::move(numbers)};
 }
 
 Outcome run_repeatedly(const Work& work, const RunLimits& limits) {

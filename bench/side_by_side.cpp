@@ -5,10 +5,13 @@
 // Prints Markdown: per family of scenes the seconds of each stage and of each rival, the ratios, and which goals are reached.
 // Times are of the processor, not of the clock on the wall, medians of several runs. "> 60" is a run that was stopped.
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
 
+#include "bench/machine.h"
 #include "bench/side_by_side_goals.h"
 #include "bench/side_by_side_tables.h"
 
@@ -21,6 +24,9 @@ void print(const std::string& text) {
 }
 
 void measure_all(const SideBySideOptions& options) {
+  print(fmt::format("{}. Seconds of one processor; the median of {}, each ended after {} s.\n\n", machine_line(),
+                    options.limits.runs == 1 ? "one run" : fmt::format("{} runs", options.limits.runs),
+                    options.limits.seconds));
   std::vector<FamilyResult> results;
   for (const SceneFamily& family : scene_families(options)) {
     results.push_back(measure_family(family, options));

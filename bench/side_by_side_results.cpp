@@ -28,11 +28,12 @@ SceneResult measure_scene(const SceneFamily& family, const SceneMaker& maker, co
 
 bool has_ended(const CgalResult& result) { return result.cgal.envelope.kind == Figure::Kind::exactly; }
 
-// Its time grows with the triangles at least in proportion.
-bool is_hopeless(const CgalResult& last, std::size_t triangles, double limit_seconds) {
-  if (!has_ended(last)) return true;
+// CGAL's time grows with the triangles at least in proportion.
+bool is_hopeless(const std::vector<CgalResult>& results, std::size_t triangles, double limit_seconds) {
+  if (results.empty()) return false;
+  const CgalResult& last = results.back();
   const double growth = static_cast<double>(triangles) / static_cast<double>(last.triangles);
-  return last.cgal.envelope.value * growth > limit_seconds;
+  return has_ended(last) ? last.cgal.envelope.value * growth > limit_seconds : growth >= 1;
 }
 
 std::vector<CgalResult> measure_for_cgal(const SceneFamily& family, const RunLimits& limits) {
@@ -40,7 +41,7 @@ std::vector<CgalResult> measure_for_cgal(const SceneFamily& family, const RunLim
   for (const SceneMaker& maker : family.for_cgal) {
     const BenchScene scene = maker.make();
     const std::size_t triangles = scene.mesh.facet_count();
-    if (!results.empty() && is_hopeless(results.back(), triangles, limits.seconds)) break;
+    if (is_hopeless(results, triangles, limits.seconds)) continue;
     say(family, maker.label, "CGAL");
     results.push_back({maker.label, triangles, measure_view(scene, limits).sum, measure_cgal(scene, limits)});
   }
@@ -59,7 +60,7 @@ FamilyResult measure_family(const SceneFamily& family, const SideBySideOptions& 
 const CgalResult* largest_that_cgal_ends(const FamilyResult& result) {
   const CgalResult* largest = nullptr;
   for (const CgalResult& row : result.cgal) {
-    if (has_ended(row)) largest = &row;
+    if (has_ended(row) && (largest == nullptr || largest->triangles < row.triangles)) largest = &row;
   }
   return largest;
 }
