@@ -79,9 +79,26 @@ bool ended_well(pid_t child) {
   return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
+// The runs of one work so far.
+struct Runs {
+  Outcome::End end = Outcome::End::done;
+  std::vector<std::vector<double>> numbers;
+  double spent = 0;  // processor seconds
+};
+
+void run_again(const Work& work, const RunLimits& limits, Runs& runs) {
+  if (runs.end != Outcome::End::done || runs.spent >= limits.seconds) return;
+  const ChildrenTime watch;
+  Outcome outcome = run_once(work, limits.seconds);
+  runs.spent += watch.seconds();
+  runs.end = outcome.end;
+  runs.numbers.push_back(std::move(outcome.numbers));
+}
+
+// Of each number; of the last run none are there if it did not end.
 std::vector<double> medians(const std::vector<std::vector<double>>& runs) {
   std::vector<double> result;
-  for (std::size_t i = 0; i < runs.front().size(); ++i) {
+  for (std::size_t i = 0; i < runs.back().size(); ++i) {
     std::vector<double> values;
     for (const std::vector<double>& run : runs) values.push_back(run[i]);
     std::sort(values.begin(), values.end());
@@ -108,17 +125,14 @@ Outcome run_once(const Work& work, double limit_seconds) {
   return {well ? Outcome::End::done : Outcome::End::failed, std::move(numbers)};
 }
 
-Outcome run_repeatedly(const Work& work, const RunLimits& limits) {
-  std::vector<std::vector<double>> runs;
-  double spent = 0;
-  for (int run = 0; run < limits.runs && spent < limits.seconds; ++run) {
-    const ChildrenTime watch;
-    Outcome outcome = run_once(work, limits.seconds);
-    if (outcome.end != Outcome::End::done) return outcome;
-    runs.push_back(std::move(outcome.numbers));
-    spent += watch.seconds();
+std::vector<Outcome> run_in_turns(const std::vector<Work>& works, const RunLimits& limits) {
+  std::vector<Runs> runs(works.size());
+  for (int turn = 0; turn < limits.runs; ++turn) {
+    for (std::size_t i = 0; i < works.size(); ++i) run_again(works[i], limits, runs[i]);
   }
-  return {Outcome::End::done, medians(runs)};
+  std::vector<Outcome> outcomes;
+  for (const Runs& of_one : runs) outcomes.push_back({of_one.end, medians(of_one.numbers)});
+  return outcomes;
 }
 
 }  // namespace sightline::bench

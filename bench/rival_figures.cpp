@@ -1,6 +1,7 @@
 #include "bench/rival_figures.h"
 
-#include "bench/obj_file.h"
+#include <utility>
+
 #include "bench/rivals.h"
 
 namespace sightline::bench {
@@ -15,41 +16,31 @@ std::vector<double> numbers_of(const std::optional<EmbreeSeconds>& seconds) {
   return {seconds->hierarchy, seconds->rays, seconds->hierarchy + seconds->rays};
 }
 
-Figure measure_one(const Work& work, const RunLimits& limits) {
-  return figure_of(run_repeatedly(work, limits), 0, limits);
-}
-
-Figure measure_parse(const BenchScene& scene, const RunLimits& limits) {
-  const auto parse = [&](const std::filesystem::path& file) {
-    return measure_one([&] { return numbers_of(seconds_to_parse(file)); }, limits);
-  };
-  return scene.file.empty() ? parse(TemporaryObj(scene.mesh).path()) : parse(scene.file);
-}
-
-void measure_embree(const BenchScene& scene, const RunLimits& limits, RivalFigures& figures) {
-  const Outcome outcome =
-      run_repeatedly([&] { return numbers_of(seconds_of_embree(scene.mesh, scene.camera)); }, limits);
-  figures.embree_hierarchy = figure_of(outcome, 0, limits);
-  figures.embree_rays = figure_of(outcome, 1, limits);
-  figures.embree = figure_of(outcome, 2, limits);
-}
-
 }  // namespace
 
-RivalFigures measure_rivals(const BenchScene& scene, const RunLimits& limits) {
-  RivalFigures figures;
-  figures.parse = measure_parse(scene, limits);
-  measure_embree(scene, limits, figures);
-  const ProjectedScene projected = project(scene.mesh, scene.camera, scene.sides);
-  figures.sort = measure_one([&] { return std::vector{seconds_to_sort(projected.points)}; }, limits);
-  const std::vector<ProjectedTriangle> triangles = projected_triangles(projected);
-  figures.gl2ps = measure_one([&] { return numbers_of(seconds_of_gl2ps(triangles)); }, limits);
-  return figures;
+RivalWorks::RivalWorks(const BenchScene& scene) : scene_(&scene), file_(scene.file) {
+  if (file_.empty()) file_ = written_.emplace(scene.mesh).path();
+  ProjectedScene projected = project(scene.mesh, scene.camera, scene.sides);
+  triangles_ = projected_triangles(projected);
+  points_ = std::move(projected.points);
 }
 
-CgalFigures measure_cgal(const BenchScene& scene, const RunLimits& limits) {
-  const std::vector<ProjectedTriangle> triangles = projected_triangles(project(scene.mesh, scene.camera, scene.sides));
-  return {triangles.size(), measure_one([&] { return numbers_of(seconds_of_cgal(triangles)); }, limits)};
+std::vector<Work> RivalWorks::works() const {
+  return {
+      [this] { return numbers_of(seconds_to_parse(file_)); },
+      [this] { return std::vector{seconds_to_sort(points_)}; },
+      [this] { return numbers_of(seconds_of_embree(scene_->mesh, scene_->camera)); },
+      [this] { return numbers_of(seconds_of_gl2ps(triangles_)); },
+  };
+}
+
+RivalFigures RivalWorks::figures(std::span<const Outcome> outcomes, const RunLimits& limits) {
+  const auto figure = [&](std::size_t work, std::size_t index) { return figure_of(outcomes[work], index, limits); };
+  return {figure(0, 0), figure(1, 0), figure(2, 0), figure(2, 1), figure(2, 2), figure(3, 0)};
+}
+
+Work cgal_work(const std::vector<ProjectedTriangle>& triangles) {
+  return [&triangles] { return numbers_of(seconds_of_cgal(triangles)); };
 }
 
 }  // namespace sightline::bench

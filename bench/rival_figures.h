@@ -1,13 +1,20 @@
 // What the same scene costs the rivals.
 //
-// In:  a scene, limits.
-// Out: figures, in seconds of processor time; `not_installed`, or `unknown` where rivals are not wanted.
-// Holds: each run is in a process of its own.
-// Complexity: of the rivals, once per run. Errors: std::runtime_error where the scene cannot be written for a rival that
-//      reads it; an error of a rival makes its figure `failed`.
+// In:  a scene, prepared for those that read files or know no camera.
+// Out: work to be run in processes of their own, and of its outcomes the figures, in seconds of processor time;
+//      `not_installed` for those that are not.
+// Complexity: of projecting and writing the scene; the work is that of the rivals. Errors: std::runtime_error where the
+//      scene cannot be written; an error of a rival makes its figure `failed`.
 #pragma once
 
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <vector>
+
 #include "bench/figure.h"
+#include "bench/obj_file.h"
+#include "bench/projected_triangles.h"
 #include "bench/side_by_side_scenes.h"
 
 namespace sightline::bench {
@@ -21,13 +28,25 @@ struct RivalFigures {
   Figure gl2ps;
 };
 
-[[nodiscard]] RivalFigures measure_rivals(const BenchScene& scene, const RunLimits& limits);
+class RivalWorks {
+ public:
+  explicit RivalWorks(const BenchScene& scene);
 
-struct CgalFigures {
-  std::size_t triangles = 0;  // in the image
-  Figure envelope;
+  // They refer to this and to the scene.
+  [[nodiscard]] std::vector<Work> works() const;
+
+  // Of outcomes in the order of the works.
+  [[nodiscard]] static RivalFigures figures(std::span<const Outcome> outcomes, const RunLimits& limits);
+
+ private:
+  const BenchScene* scene_;
+  std::optional<TemporaryObj> written_;  // where the scene comes from no file
+  std::filesystem::path file_;
+  std::vector<ImagePoint> points_;
+  std::vector<ProjectedTriangle> triangles_;
 };
 
-[[nodiscard]] CgalFigures measure_cgal(const BenchScene& scene, const RunLimits& limits);
+// The work refers to the triangles.
+[[nodiscard]] Work cgal_work(const std::vector<ProjectedTriangle>& triangles);
 
 }  // namespace sightline::bench

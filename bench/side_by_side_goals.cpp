@@ -73,7 +73,7 @@ void add_cgal(GoalRows& rows) {
     const CgalResult* const row = largest_that_cgal_ends(result);
     if (row == nullptr) continue;
     rows.add(fmt::format("({}) at {}: CGAL / sum", result.family.number, row->label), at_least(100),
-             ratio(row->cgal.envelope, row->view));
+             ratio(row->envelope, row->view));
   }
 }
 

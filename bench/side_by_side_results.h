@@ -28,8 +28,9 @@ struct SceneResult {
 struct CgalResult {
   std::string label;
   std::size_t triangles = 0;
+  std::size_t triangles_in_image = 0;
   Figure view;
-  CgalFigures cgal;
+  Figure envelope;
 };
 
 struct FamilyResult {

@@ -54,8 +54,8 @@ std::string ratios_table(const FamilyResult& result) {
 std::string cgal_table(const FamilyResult& result) {
   std::vector<TableRow> rows;
   for (const CgalResult& row : result.cgal) {
-    rows.push_back({row.label, std::to_string(row.triangles), std::to_string(row.cgal.triangles), text_of(row.view),
-                    text_of(row.cgal.envelope), text_of(ratio(row.cgal.envelope, row.view))});
+    rows.push_back({row.label, std::to_string(row.triangles), std::to_string(row.triangles_in_image), text_of(row.view),
+                    text_of(row.envelope), text_of(ratio(row.envelope, row.view))});
   }
   return markdown_table({"scene", "triangles", "in the image", "sum", "CGAL", "CGAL / sum"}, rows);
 }

@@ -49,8 +49,11 @@ std::vector<double> run_reflection(const MirrorWorld& world) {
 
 }  // namespace
 
-ViewFigures measure_view(const BenchScene& scene, const RunLimits& limits, Arithmetic arithmetic) {
-  const Outcome outcome = run_repeatedly([&] { return run_stages(scene, arithmetic); }, limits);
+Work view_work(const BenchScene& scene, Arithmetic arithmetic) {
+  return [&scene, arithmetic] { return run_stages(scene, arithmetic); };
+}
+
+ViewFigures view_figures(const Outcome& outcome, const RunLimits& limits) {
   ViewFigures figures;
   figures.sum = figure_of(outcome, 4, limits);
   if (outcome.end != Outcome::End::done) return figures;
@@ -65,7 +68,7 @@ ViewFigures measure_view(const BenchScene& scene, const RunLimits& limits, Arith
 ReflectionFigures measure_reflection(std::size_t triangles, const RunLimits& limits) {
   const Mesh mesh = terrain(triangles);
   const MirrorWorld world = make_mirror_world(mesh, {{"lamp", {{-1, 9, -1}, {1, 9, -1}, {1, 9, 1}, {-1, 9, 1}}, {}}});
-  const Outcome outcome = run_repeatedly([&] { return run_reflection(world); }, limits);
+  const Outcome outcome = run_in_turns({[&] { return run_reflection(world); }}, limits).front();
   return {figure_of(outcome, 0, limits), figure_of(outcome, 1, limits)};
 }
 

@@ -1,10 +1,10 @@
 // What one view of a scene costs sightline: time per stage, and memory.
 //
 // In:  a scene, the arithmetic, limits.
-// Out: figures, in seconds of processor time. Memory is the peak above what the mesh holds before the first stage, per
+// Out: work to be run in a process of its own, where it finds no memory that an earlier one has left; and of its outcome
+//      the figures, in seconds of processor time. Memory is the peak above what the mesh holds before the first stage, per
 //      facet.
-// Holds: each run is in a process of its own, so none finds memory that an earlier one has left.
-// Complexity: of the stages, once per run. Errors: none; an error of a stage makes the figures `failed`.
+// Complexity: of the stages. Errors: none; an error of a stage makes the figures `failed`.
 #pragma once
 
 #include "bench/figure.h"
@@ -22,8 +22,9 @@ struct ViewFigures {
   Figure bytes_per_triangle;
 };
 
-[[nodiscard]] ViewFigures measure_view(const BenchScene& scene, const RunLimits& limits,
-                                       Arithmetic arithmetic = Arithmetic::exact);
+// The work refers to the scene.
+[[nodiscard]] Work view_work(const BenchScene& scene, Arithmetic arithmetic = Arithmetic::exact);
+[[nodiscard]] ViewFigures view_figures(const Outcome& outcome, const RunLimits& limits);
 
 // What a square lamp over a terrain costs, all of which is seen from above: the reflection, and the view without it.
 struct ReflectionFigures {
