@@ -1,7 +1,7 @@
 // Scenes of any size for measurements, the same in every run.
 //
 // In:  how many triangles, about.
-// Out: a mesh within [-1.5, 1.5]^3, and the cameras that look at it.
+// Out: a mesh within [-1.7, 1.7]^3, and the cameras that look at it.
 // Holds: coordinates have seven decimals, so that an OBJ file of them is a typical one, and says the same; no two
 //      triangles pass through each other.
 // Complexity: O(n log n), of build_mesh. Errors: none.
@@ -20,9 +20,9 @@ namespace sightline::bench {
 // A height field of waves in waves.
 [[nodiscard]] Mesh terrain(std::size_t triangles);
 
-// Unconnected triangles at random places of a box, in random order. Each has a layer of the box's depth to itself and is
-// tilted at random within it. The shrinking ones have edges of about 7.5 / sqrt(n), so that five are expected over a point
-// whatever n is; the others edges of about 0.26, so that 0.006 n are.
+// Unconnected triangles at random places of a box, turned at random, in random order. The shrinking ones have edges of
+// about 11 / sqrt(n), so that five are expected over a point whatever n is; the others edges of about 0.35, so that n / 190
+// are. The box is made of layers and pressed together along the view, which flattens what is in it.
 [[nodiscard]] Mesh shrinking_soup(std::size_t triangles);
 [[nodiscard]] Mesh deep_soup(std::size_t triangles);
 

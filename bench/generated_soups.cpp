@@ -1,6 +1,6 @@
+#include <array>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 #include <utility>
 
 #include "bench/generated_scenes.h"
@@ -9,36 +9,70 @@
 namespace sightline::bench {
 namespace {
 
-// Every layer once, in random order.
-std::vector<std::size_t> shuffled_layers(std::size_t count, Random& random) {
-  std::vector<std::size_t> layers(count);
-  std::iota(layers.begin(), layers.end(), std::size_t{0});
-  for (std::size_t i = count; i > 1; --i) std::swap(layers[i - 1], layers[random.below(i)]);
-  return layers;
-}
+// Each triangle lies in a ball, and the ball in a cell of its own: a cube with this many radii to an edge, in which it
+// leaves some room. Fewer cells than there are have one.
+constexpr double cell_in_radii = 2.5;
+constexpr double shake_in_radii = 0.15;
+constexpr double share_of_cells = 0.7;
 
-// Corners on a circle, a third of it apart but for 45 degrees each way: 1.05 radius^2 is the mean area. They keep off the
-// fifth of the layer at its top and bottom, which is more than rounding moves them by.
-void add_soup_triangle(std::vector<Point3>& vertices, double radius, double layer_low, double layer_depth,
-                       Random& random) {
-  const double x = random.between(-1, 1);
-  const double y = random.between(-1, 1);
-  const double turn = random.between(0, 2 * std::numbers::pi);
-  for (int corner = 0; corner < 3; ++corner) {
-    const double angle =
-        turn + 2 * std::numbers::pi * corner / 3 + random.between(-std::numbers::pi / 4, std::numbers::pi / 4);
-    vertices.push_back(as_in_a_file({x + radius * std::cos(angle), y + radius * std::sin(angle),
-                                     layer_low + layer_depth * random.between(0.2, 0.8)}));
+using Triangle = std::array<Point3, 3>;
+
+Vector3 random_direction(Random& random) {
+  for (;;) {
+    const Vector3 v{random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)};
+    const double length = norm(v);
+    if (length > 0.1 && length < 1) return (1 / length) * v;
   }
 }
 
-Mesh soup(std::size_t triangles, double radius) {
-  Random random(triangles);
-  const double depth = 2 / static_cast<double>(triangles);
+// A circle around the middle, in a random plane, has the corners: a third of it apart but for 45 degrees each way.
+Triangle random_triangle(const Point3& middle, double radius, Random& random) {
+  const Vector3 u = random_direction(random);
+  const Vector3 across = cross(u, random_direction(random));
+  const Vector3 v = (1 / norm(across)) * across;
+  Triangle triangle;
+  for (int corner = 0; corner < 3; ++corner) {
+    const double shift = random.between(-std::numbers::pi / 4, std::numbers::pi / 4);
+    const double angle = 2 * std::numbers::pi * corner / 3 + shift;
+    triangle[static_cast<std::size_t>(corner)] =
+        middle + (radius * std::cos(angle)) * u + (radius * std::sin(angle)) * v;
+  }
+  return triangle;
+}
+
+// The cells of a layer begin anywhere, so that no two layers have theirs at the same places.
+void fill_layer(std::vector<Triangle>& triangles, double layer, double radius, Random& random) {
+  const double cell = cell_in_radii * radius;
+  const double first_x = random.between(-1, cell - 1);
+  const double first_y = random.between(-1, cell - 1);
+  const auto shake = [&] { return radius * random.between(-shake_in_radii, shake_in_radii); };
+  for (double y = first_y; y < 1; y += cell) {
+    for (double x = first_x; x < 1; x += cell) {
+      if (random.unit() > share_of_cells) continue;
+      const Point3 middle{x + shake(), y + shake(), (layer + 0.5) * cell + shake()};
+      triangles.push_back(random_triangle(middle, radius, random));
+    }
+  }
+}
+
+void shuffle(std::vector<Triangle>& triangles, Random& random) {
+  for (std::size_t i = triangles.size(); i > 1; --i) std::swap(triangles[i - 1], triangles[random.below(i)]);
+}
+
+// As many layers as it takes, pressed together to the box's depth: that changes neither what is in front of what nor
+// which planes part which triangles.
+Mesh soup(std::size_t count, double radius) {
+  Random random(count);
+  std::vector<Triangle> triangles;
+  double layers = 0;
+  for (; triangles.size() < count; ++layers) fill_layer(triangles, layers, radius, random);
+  triangles.resize(count);
+  shuffle(triangles, random);
+  const double scale = 2 / (layers * cell_in_radii * radius);
   std::vector<Point3> vertices;
   PolygonList faces;
-  for (const std::size_t layer : shuffled_layers(triangles, random)) {
-    add_soup_triangle(vertices, radius, static_cast<double>(layer) * depth - 1, depth, random);
+  for (const Triangle& triangle : triangles) {
+    for (const Point3& p : triangle) vertices.push_back(as_in_a_file({p.x, p.y, scale * p.z - 1}));
     add_triangle(faces, vertices.size() - 3, vertices.size() - 2, vertices.size() - 1);
   }
   return build_mesh(std::move(vertices), std::move(faces));
@@ -46,9 +80,9 @@ Mesh soup(std::size_t triangles, double radius) {
 
 }  // namespace
 
-// n 1.05 radius^2 is five times the box's front, which has the area 4.
-Mesh shrinking_soup(std::size_t triangles) { return soup(triangles, std::sqrt(19 / static_cast<double>(triangles))); }
+// The mean area of a triangle is 1.05 radius^2, and half of that seen along an axis. The box's front has the area 4.
+Mesh shrinking_soup(std::size_t triangles) { return soup(triangles, std::sqrt(38 / static_cast<double>(triangles))); }
 
-Mesh deep_soup(std::size_t triangles) { return soup(triangles, 0.15); }
+Mesh deep_soup(std::size_t triangles) { return soup(triangles, 0.2); }
 
 }  // namespace sightline::bench
