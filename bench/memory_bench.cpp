@@ -4,14 +4,12 @@
 //
 // The constants of cli/memory_estimate.cpp come from here. A stage's peak is VmHWM, reset before it (Linux).
 
-#include <malloc.h>
-
 #include <cstdio>
-#include <fstream>
 #include <functional>
 #include <string>
 
 #include "bench/generated_scenes.h"
+#include "bench/process_memory.h"
 #include "cli/face_measures.h"
 #include "cli/labelled_obj.h"
 #include "cli/labelled_ply.h"
@@ -26,19 +24,9 @@
 namespace sightline::bench {
 namespace {
 
-std::size_t peak_bytes() {
-  std::ifstream status("/proc/self/status");
-  for (std::string word; status >> word;) {
-    std::size_t kibibytes = 0;
-    if (word == "VmHWM:" && status >> kibibytes) return 1024 * kibibytes;
-  }
-  return 0;
-}
-
 // The peak while `work` runs, with all that was there before.
 std::size_t peak_of(const std::function<void()>& work) {
-  malloc_trim(0);
-  std::ofstream("/proc/self/clear_refs") << 5;
+  reset_peak();
   work();
   return peak_bytes();
 }
@@ -66,7 +54,7 @@ void measure(const std::string& name, const std::function<Mesh()>& make) {
   const std::size_t touch = peak_of([&] { contacts = find_contacts(mesh); });
   const Camera camera = camera_for(mesh);
   const std::size_t project_peak = peak_of([&] { view.scene = project(mesh, camera, Sides::both); });
-  const std::size_t sweep_peak = peak_of([&] { view.segments = sweep(mesh, view.scene); });
+  const std::size_t sweep_peak = peak_of([&] { view.segments = find_visible_segments(mesh, view.scene); });
   const std::size_t polygons = peak_of([&] { view.polygons = reconstruct_polygons(mesh, view.scene, view.segments); });
   const std::size_t label =
       peak_of([&] { view.labelled = label_mesh(mesh, view.scene, view.segments, view.polygons); });

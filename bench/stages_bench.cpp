@@ -32,7 +32,7 @@ void run_view(benchmark::State& state, const Case& c) {
     View view;
     view.scene = project(c.mesh, c.camera, c.sides);
     const auto start = std::chrono::steady_clock::now();
-    view.segments = sweep(c.mesh, view.scene);
+    view.segments = find_visible_segments(c.mesh, view.scene);
     sweep_seconds += seconds_since(start);
     view.polygons = reconstruct_polygons(c.mesh, view.scene, view.segments);
     view.labelled = label_mesh(c.mesh, view.scene, view.segments, view.polygons);
@@ -62,7 +62,7 @@ void reflections_of_terrain(benchmark::State& state) {
   const MirrorWorld world = make_mirror_world(mesh, {{"lamp", {{-1, 9, -1}, {1, 9, -1}, {1, 9, 1}, {-1, 9, 1}}, {}}});
   View view;
   view.scene = project(mesh, view_from_above(), Sides::both);
-  view.segments = sweep(mesh, view.scene);
+  view.segments = find_visible_segments(mesh, view.scene);
   view.polygons = reconstruct_polygons(mesh, view.scene, view.segments);
   ReflectedView reflected;
   for (auto _ : state) {

@@ -1,0 +1,18 @@
+#include <algorithm>
+#include <utility>
+
+#include "bench/processor_time.h"
+#include "bench/rivals.h"
+#include "bench/scene_parts.h"
+
+namespace sightline::bench {
+
+double seconds_to_sort(std::vector<ImagePoint> points) {
+  Random random(points.size());
+  for (std::size_t i = points.size(); i > 1; --i) std::swap(points[i - 1], points[random.below(i)]);
+  const ProcessorTime watch;
+  std::sort(points.begin(), points.end(), sweeps_before);
+  return watch.seconds();
+}
+
+}  // namespace sightline::bench

@@ -1,0 +1,20 @@
+// Which of the goals are reached.
+//
+// In:  the results of all families, and of reflections where they were measured.
+// Out: a Markdown table: the goal, what was measured, whether that is enough. A goal whose scenes were not measured has no
+//      row. A further goal is a further function that adds rows.
+// Complexity: O(rows). Errors: none.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bench/side_by_side_results.h"
+
+namespace sightline::bench {
+
+[[nodiscard]] std::string goals_table(const std::vector<FamilyResult>& results,
+                                      const std::optional<ReflectionFigures>& reflection);
+
+}  // namespace sightline::bench

@@ -1,0 +1,17 @@
+// What was measured, as Markdown tables.
+//
+// In:  results. Out: text. Complexity: O(text). Errors: none.
+#pragma once
+
+#include <string>
+
+#include "bench/side_by_side_results.h"
+
+namespace sightline::bench {
+
+// A heading, the times, the ratios, and the rows for CGAL.
+[[nodiscard]] std::string family_tables(const FamilyResult& result);
+
+[[nodiscard]] std::string reflection_table(std::size_t triangles, const ReflectionFigures& figures);
+
+}  // namespace sightline::bench
