@@ -3,6 +3,7 @@
 //     build/release/bench/sightline_bench
 
 #include <benchmark/benchmark.h>
+#include <tbb/global_control.h>
 
 #include <chrono>
 
@@ -26,6 +27,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 }
 
 void run_view(benchmark::State& state, const Case& c) {
+  const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
   double sweep_seconds = 0;
   std::uint64_t sweep_points = 0;
   for (auto _ : state) {
@@ -58,6 +60,7 @@ void view_of_terrain(benchmark::State& state) {
 // All of a terrain is seen, and a square lamp over it. reflect_s: to find what reflects it; swept: the pyramids that had an
 // obstacle in them, each of which costs a sweep.
 void reflections_of_terrain(benchmark::State& state) {
+  const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
   const Mesh mesh = terrain(static_cast<std::size_t>(state.range(0)));
   const MirrorWorld world = make_mirror_world(mesh, {{"lamp", {{-1, 9, -1}, {1, 9, -1}, {1, 9, 1}, {-1, 9, 1}}, {}}});
   View view;

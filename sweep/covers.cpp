@@ -11,8 +11,8 @@
 namespace sightline {
 namespace {
 
-// How many sheets over a cell's centre are tried as covers, the nearest first.
-constexpr std::size_t most_tries = 4;
+// After so many sheets over a cell's centre that do not cover it, no more are tried.
+constexpr std::size_t most_failures = 4;
 
 // A facet that touches a cell.
 struct CellFacet {
@@ -116,7 +116,8 @@ class CoverFinder {
       if (mark_[f.index()] < cover_mark && is_behind(f, cover)) flood_behind(f, cover_mark, behind_mark);
     }
     for (const auto& [f, over_centre] : facets_.in_cell(cell_)) {
-      const bool behind = mark_[f.index()] == behind_mark || depths_[f.index()].nearest > cover_farthest_;
+      const bool behind = mark_[f.index()] == behind_mark || depths_[f.index()].nearest > cover_farthest_ ||
+                          (cover_size_ == 1 && f != cover && is_behind(f, cover));
       hidden_cells_[f.index()] += behind ? 1 : 0;
     }
   }
@@ -129,21 +130,32 @@ class CoverFinder {
     std::ranges::sort(over_centre_, {}, [this](FacetId f) { return std::pair(depths_[f.index()].farthest, f); });
   }
 
-  // The facet over the centre whose sheet covers the cell; its facets have the last mark.
+  // A facet over the centre whose sheet covers the cell, and no other's that is tried lies before it; the sheet's facets have
+  // the last mark.
   FacetId find_cover() {
-    for (std::size_t i = 0; i < std::min(over_centre_.size(), most_tries); ++i) {
-      if (flood_cover(over_centre_[i])) return over_centre_[i];
+    FacetId cover;
+    std::size_t failed = 0;
+    for (const FacetId f : over_centre_) {
+      if (cover.valid() && !(is_known_order(f, cover) && order_.nearer(f, cover))) continue;
+      if (flood_cover(f)) {
+        cover = f;
+      } else if (++failed == most_failures) {
+        break;
+      }
     }
-    return {};
+    if (cover.valid()) flood_cover(cover);
+    return cover;
   }
 
   // False where the sheet meets a contour edge in the cell.
   bool flood_cover(FacetId first) {
     ++marks_;
+    cover_size_ = 0;
     cover_farthest_ = -std::numeric_limits<double>::infinity();
     begin_flood(first, marks_);
     while (!flood_.empty()) {
       const FacetId f = next_of_flood();
+      ++cover_size_;
       cover_farthest_ = std::max(cover_farthest_, depths_[f.index()].farthest);
       for (const EdgeId e : continuation_.edges_of(scene_, f)) {
         if (e.valid() && misses_cell(e)) continue;
@@ -154,11 +166,14 @@ class CoverFinder {
     return true;
   }
 
-  // Both are over the centre, even before they were rounded.
+  // Both are over one place, even before they were rounded: the cell's centre, or anywhere in the cell where the cover is
+  // one facet.
   [[nodiscard]] bool is_behind(FacetId f, FacetId cover) {
     if (depths_[f.index()].nearest > cover_farthest_) return true;
-    return !touches(f) && !touches(cover) && order_.nearer(cover, f);
+    return is_known_order(f, cover) && order_.nearer(cover, f);
   }
+
+  [[nodiscard]] bool is_known_order(FacetId f, FacetId g) const { return !touches(f) && !touches(g); }
 
   [[nodiscard]] bool touches(FacetId f) const { return mesh_.touched[f.index()] != 0; }
 
@@ -218,6 +233,7 @@ class CoverFinder {
   CellIndex cell_ = 0;
   ImagePoint centre_;
   std::vector<FacetId> over_centre_;
+  std::size_t cover_size_ = 0;  // in facets
   double cover_farthest_ = 0;
   std::vector<FacetId> flood_;
 };

@@ -5,7 +5,8 @@
 // Out: per facet 1 where it is certainly hidden, those that were given included. Not all hidden facets are found.
 // Holds: leaving the hidden facets out of the sweep changes nothing that is visible. A cover of a cell is a set of facets
 //      that continue each other and cover the cell without a contour edge in it. Hidden in the cell is
-//      - what is deeper than all of the cover, and
+//      - what is deeper than all of the cover,
+//      - what lies behind the cover by the exact order of depth, where that is one facet, and
 //      - what continues, within the cell, a facet that lies behind the cover over the cell's centre: it could come in
 //        front only by passing through the cover, or around an end of it. Facets that touch others stop this.
 //      A facet is hidden where it is hidden in all the cells it touches. A cover is never hidden in its own cell.

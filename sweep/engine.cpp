@@ -1,5 +1,6 @@
 #include "sweep/engine.h"
 
+#include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -18,35 +19,55 @@
 namespace sightline {
 namespace {
 
-// Cells are as fine as so many pairs of a facet and a cell in its bounding box allow, per facet: contour edges then touch
-// few of them, and looking at all pairs still costs little.
 constexpr int highest_level = 11;
-constexpr double pairs_per_facet = 6;
 constexpr std::size_t most_samples = 1 << 16;
 
-int level_for(const ProjectedScene& scene) {
+// Cells are as fine as so many pairs of a facet and a cell in its bounding box allow, per facet in view: contour edges then
+// touch few of them, and looking at all pairs still costs little. Where nothing continues, all is contour, and fine cells
+// have to find what can be left out.
+constexpr double pairs_of_surface_facet = 6;
+constexpr double pairs_of_lone_facet = 40;
+
+double contour_share(const ProjectedScene& scene, const Continuation& continuation) {
+  std::size_t contours = 0;
+  for (std::size_t e = 0; e < scene.edge_count(); ++e) contours += continuation.is_contour(EdgeId(e)) ? 1 : 0;
+  return static_cast<double>(contours) / static_cast<double>(std::max<std::size_t>(scene.edge_count(), 1));
+}
+
+// Per level of cells the pairs of all facets that are not known to be hidden, as a sample of them says.
+std::array<double, highest_level + 1> pairs_by_level(const ProjectedScene& scene,
+                                                     const std::vector<std::uint8_t>& hidden) {
   const CellGrid finest(scene.grid_bits, highest_level);
+  const std::size_t step = 1 + scene.status.size() / most_samples;
   std::array<double, highest_level + 1> pairs{};
-  double facets = 0;
-  for (std::size_t f = 0; f < scene.status.size(); f += 1 + scene.status.size() / most_samples) {
-    if (scene.status[f] != Status::in_view) continue;
+  for (std::size_t f = 0; f < scene.status.size(); f += step) {
+    if (scene.status[f] != Status::in_view || hidden[f] != 0) continue;
     const CellRange range = finest.range_of(FacetOutline(scene, FacetId(f)).points());
     for (int level = 0; level <= highest_level; ++level) {
       const int shift = highest_level - level;
-      pairs[static_cast<std::size_t>(level)] +=
-          static_cast<double>((range.right >> shift) - (range.left >> shift) + 1) *
-          static_cast<double>((range.top >> shift) - (range.bottom >> shift) + 1);
+      const double columns = (range.right >> shift) - (range.left >> shift) + 1;
+      const double rows = (range.top >> shift) - (range.bottom >> shift) + 1;
+      pairs[static_cast<std::size_t>(level)] += static_cast<double>(step) * columns * rows;
     }
-    ++facets;
   }
+  return pairs;
+}
+
+int level_for(const ProjectedScene& scene, const Continuation& continuation, const std::vector<std::uint8_t>& hidden) {
+  const auto pairs = pairs_by_level(scene, hidden);
+  const double share = contour_share(scene, continuation);
+  const double per_facet = share * pairs_of_lone_facet + (1 - share) * pairs_of_surface_facet;
+  const auto facets = static_cast<double>(std::ranges::count(scene.status, Status::in_view));
   int level = highest_level;
-  while (level > 0 && pairs[static_cast<std::size_t>(level)] > pairs_per_facet * facets) --level;
+  while (level > 0 && pairs[static_cast<std::size_t>(level)] > per_facet * facets) --level;
   return level;
 }
 
 // Two for each thread, so that one that takes longer does not keep the others waiting for long.
 std::size_t bands_for_threads() {
-  const auto threads = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
+  const std::size_t threads =
+      std::min<std::size_t>(static_cast<std::size_t>(tbb::this_task_arena::max_concurrency()),
+                            tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
   return threads == 1 ? 1 : 2 * threads;
 }
 
@@ -116,12 +137,12 @@ std::vector<VisibleSegments> swept_bands(const Mesh& mesh, const ProjectedScene&
 VisibleSegments fast_visible_segments(const Mesh& mesh, const ProjectedScene& scene, const FastOptions& options,
                                       SweepObserver* observer) {
   if (mesh.touched.empty() || scene.arithmetic != Arithmetic::exact) return sweep(mesh, scene, observer);
-  const CellGrid grid(scene.grid_bits, options.level.value_or(level_for(scene)));
   const Continuation continuation(scene);
-  const FacetCells cells(scene, grid);
   const std::vector<DepthRange> depths = depth_ranges(scene);
-  const auto hidden =
-      hidden_behind_covers(mesh, scene, depths, continuation, grid, cells, hidden_behind_large_facets(scene, depths));
+  const auto behind_large = hidden_behind_large_facets(scene, depths);
+  const CellGrid grid(scene.grid_bits, options.level ? *options.level : level_for(scene, continuation, behind_large));
+  const FacetCells cells(scene, grid, behind_large);
+  const auto hidden = hidden_behind_covers(mesh, scene, depths, continuation, grid, cells, behind_large);
   const Patches patches = find_patches(mesh, scene, continuation, hidden, grid, cells);
   const Bands bands = make_bands(mesh, patches, grid, cells, options.bands.value_or(bands_for_threads()));
   std::vector<VisibleSegments> swept = swept_bands(mesh, scene, continuation, bands, observer);

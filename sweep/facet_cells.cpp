@@ -122,13 +122,14 @@ void add_cells(const ProjectedScene& scene, FacetId f, const CellGrid& grid, std
 
 }  // namespace
 
-FacetCells::FacetCells(const ProjectedScene& scene, const CellGrid& grid) : begin_(scene.status.size() + 1, 0) {
+FacetCells::FacetCells(const ProjectedScene& scene, const CellGrid& grid, const std::vector<std::uint8_t>& hidden)
+    : begin_(scene.status.size() + 1, 0) {
   std::vector<std::vector<FacetCell>> parts(range_count(scene.status.size()));
   parallel_for_ranges(scene.status.size(), [&](std::size_t range, std::size_t begin, std::size_t end) {
     std::vector<FacetCell>& part = parts[range];
     for (std::size_t f = begin; f < end; ++f) {
       const std::size_t before = part.size();
-      if (scene.status[f] == Status::in_view) add_cells(scene, FacetId(f), grid, part);
+      if (scene.status[f] == Status::in_view && hidden[f] == 0) add_cells(scene, FacetId(f), grid, part);
       begin_[f + 1] = static_cast<std::uint32_t>(part.size() - before);
     }
   });

@@ -1,7 +1,7 @@
 // Per facet the cells of the image that it touches.
 //
-// In:  a projected scene and a grid of cells.
-// Out: per facet in view its cells, each with whether the facet is certainly over the cell's centre, before and after its
+// In:  a projected scene, a grid of cells, and facets that are known to be hidden.
+// Out: per facet in view that is not among these its cells, each with whether the facet is certainly over the cell's centre, before and after its
 //      corners were rounded. A few cells more than it touches are named, never one too few.
 // Complexity: O(n) and the cells.
 #pragma once
@@ -26,7 +26,7 @@ class FacetCell {
 
 class FacetCells {
  public:
-  FacetCells(const ProjectedScene& scene, const CellGrid& grid);
+  FacetCells(const ProjectedScene& scene, const CellGrid& grid, const std::vector<std::uint8_t>& hidden);
 
   [[nodiscard]] std::span<const FacetCell> of(FacetId f) const {
     return std::span(cells_).subspan(begin_[f.index()], begin_[f.index() + 1] - begin_[f.index()]);

@@ -89,7 +89,7 @@ TEST_CASE("facet cells: every cell in which a point of the facet lies is named, 
     const ProjectedScene scene = seen_from_above(mesh, 12);
     if (scene.status.empty() || scene.status[0] != Status::in_view) continue;
     const CellGrid grid(scene.grid_bits, round % 6);
-    const FacetCells cells(scene, grid);
+    const FacetCells cells(scene, grid, {0});
     std::set<CellIndex> named;
     for (const FacetCell& cell : cells.of(FacetId(0))) named.insert(cell.cell());
     const auto polygon = scene.polygon(FacetId(0));
@@ -178,8 +178,8 @@ TEST_CASE("covers: sheets behind a sheet are hidden, whatever their borders are,
   const Mesh mesh = sheets({{1, 0.8, 16}, {2, 0.5, 7}, {3, 0.9, 9}});
   const ProjectedScene scene = seen_from_above(mesh);
   const CellGrid grid(scene.grid_bits, 5);
-  const FacetCells cells(scene, grid);
   const std::vector<std::uint8_t> none(mesh.facet_count(), 0);
+  const FacetCells cells(scene, grid, none);
   const auto hidden = hidden_behind_covers(mesh, scene, depth_ranges(scene), Continuation(scene), grid, cells, none);
   const VisibleSegments full = sweep(mesh, scene);
   for (const VisibleSegment& s : full.segments) CHECK(hidden[s.facet.index()] == 0);
@@ -198,8 +198,8 @@ TEST_CASE("covers: sheets without a depth between them hide by their order") {
   tilted = cut_along_common_lines(std::move(tilted), contacts);
   const ProjectedScene scene = seen_from_above(tilted);
   const CellGrid grid(scene.grid_bits, 5);
-  const FacetCells cells(scene, grid);
   const std::vector<std::uint8_t> none(tilted.facet_count(), 0);
+  const FacetCells cells(scene, grid, none);
   const auto hidden = hidden_behind_covers(tilted, scene, depth_ranges(scene), Continuation(scene), grid, cells, none);
   CHECK(count_of({hidden.begin(), hidden.begin() + 512}) == 0);
   CHECK(count_of({hidden.begin() + 512, hidden.end()}) > 300);
@@ -209,9 +209,9 @@ TEST_CASE("patches: the inside of a sheet is one patch, its border is open, and 
   Mesh mesh = sheets({{1, 0.8, 16}});
   const ProjectedScene scene = seen_from_above(mesh);
   const CellGrid grid(scene.grid_bits, 5);
-  const FacetCells cells(scene, grid);
-  const Continuation continuation(scene);
   const std::vector<std::uint8_t> none(mesh.facet_count(), 0);
+  const FacetCells cells(scene, grid, none);
+  const Continuation continuation(scene);
   const Patches patches = find_patches(mesh, scene, continuation, none, grid, cells);
   CHECK(patches.patch_count == 1);
   const auto plain = std::ranges::count(patches.role, Role::plain);
