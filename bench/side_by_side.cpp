@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 #include <tbb/global_control.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
 
@@ -49,8 +48,6 @@ int main(int argc, char** argv) {
   try {
     sightline::bench::measure_all(sightline::bench::parse_side_by_side_options(argc, argv));
     return 0;
-  } catch (const CLI::ParseError& error) {
-    return CLI::App().exit(error);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "sightline_side_by_side: %s\n", error.what());
     return 1;

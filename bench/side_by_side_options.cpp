@@ -2,7 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <iostream>
+#include <cstdlib>
 
 namespace sightline::bench {
 
@@ -20,7 +20,11 @@ SideBySideOptions parse_side_by_side_options(int argc, const char* const* argv) 
       ->delimiter(',');
   app.add_flag("--without-rivals", without_rivals, "Measure sightline alone");
   app.add_flag("--quick", quick, "Small sizes, one run of at most ten seconds");
-  app.parse(argc, argv);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    std::exit(app.exit(error));
+  }
   std::sort(options.sizes.begin(), options.sizes.end());
   options.rivals = !without_rivals;
   if (quick) {

@@ -1,6 +1,6 @@
 // The command line of sightline_side_by_side.
 //
-// In:  arguments. Out: what to measure. Complexity: O(arguments). Errors: CLI::ParseError, also for --help.
+// In:  arguments. Out: what to measure. A wrong command line, and --help, end the program with a text.
 #pragma once
 
 #include <cstddef>

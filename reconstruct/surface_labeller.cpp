@@ -245,18 +245,18 @@ class SurfaceLabeller {
 
 }  // namespace
 
-LabelSources::LabelSources(const Mesh& m, const ProjectedScene& s, const VisibleSegments& v, const VisiblePolygons& p,
-                           const PanelBorders& panels)
-    : mesh(m),
-      scene(s),
-      segments(v),
-      polygons(p),
-      points(s, v),
-      vertices(m.vertices),
-      edge_points(m, s, v, points, vertices) {
-  const auto first_border_split = std::partition_point(v.splits.begin(), v.splits.end(),
-                                                       [](const EdgeSplit& split) { return split.mesh_edge.valid(); });
-  border_splits.assign(first_border_split, v.splits.end());
+// In the body the names are the parameters'.
+LabelSources::LabelSources(const Mesh& mesh, const ProjectedScene& scene, const VisibleSegments& segments,
+                           const VisiblePolygons& polygons, const PanelBorders& panels)
+    : mesh(mesh),
+      scene(scene),
+      segments(segments),
+      polygons(polygons),
+      points(scene, segments),
+      vertices(mesh.vertices),
+      edge_points(mesh, scene, segments, points, vertices) {
+  const auto is_of_edge = [](const EdgeSplit& split) { return split.mesh_edge.valid(); };
+  border_splits.assign(std::ranges::partition_point(segments.splits, is_of_edge), segments.splits.end());
   std::sort(border_splits.begin(), border_splits.end(), by_facet);
   for (std::size_t panel = 0; panel < panels.size(); ++panel) {
     for (const VisibleSegment& segment : panels[panel]) reflecting.push_back({segment, panel});

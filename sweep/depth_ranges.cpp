@@ -35,19 +35,23 @@ Depth depth_of(const Camera& camera, const Point3& p) {
   return depth;
 }
 
+// A depth that overflows is no number, and bounds nothing.
+DepthRange range_of(const Depth& depth) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (!(depth.error < infinity)) return {-infinity, infinity};
+  return {depth.value - depth.error, depth.value + depth.error};
+}
+
 }  // namespace
 
-// A depth that overflows is no number, and bounds nothing: std::min and std::max would keep what was there before.
 std::vector<DepthRange> depth_ranges(const ProjectedScene& scene) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   std::vector<DepthRange> ranges(scene.status.size());
   parallel_for_each(ranges.size(), [&](std::size_t f) {
     DepthRange& range = ranges[f];
     for (const ClippedCorner& corner : scene.polygon(FacetId(f))) {
-      const Depth depth = depth_of(scene.camera, corner.position);
-      const bool known = depth.error < infinity;
-      range.nearest = std::min(range.nearest, known ? depth.value - depth.error : -infinity);
-      range.farthest = std::max(range.farthest, known ? depth.value + depth.error : infinity);
+      const DepthRange here = range_of(depth_of(scene.camera, corner.position));
+      range.nearest = std::min(range.nearest, here.nearest);
+      range.farthest = std::max(range.farthest, here.farthest);
     }
   });
   return ranges;

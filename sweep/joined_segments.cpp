@@ -28,7 +28,8 @@ auto key_of(const Crossing& c) { return std::tuple(c.after, c.a, c.b); }
 // The crossings that what is used of all bands has as its points, in sweep order, each once.
 class JoinedCrossings {
  public:
-  JoinedCrossings(const ProjectedScene& scene, std::vector<Crossing> crossings) : vertices_(scene.points.size()) {
+  JoinedCrossings(const ProjectedScene& scene, const std::vector<Crossing>& crossings)
+      : vertices_(scene.points.size()) {
     std::vector<Placed> placed;
     for (const Crossing& c : crossings) {
       const SceneEdge& a = scene.edge(c.a);
@@ -122,7 +123,7 @@ class Joining {
         if (used[band][i] != 0) crossings.push_back(own[i]);
       }
     }
-    const JoinedCrossings joined(scene_, std::move(crossings));
+    const JoinedCrossings joined(scene_, crossings);
     for (std::size_t band = 0; band < swept_.size(); ++band) {
       const auto& own = swept_[band].crossings;
       std::vector<PointId> name(own.size());
@@ -155,8 +156,7 @@ class Joining {
       splits.insert(splits.end(), swept_[band].splits.begin(), swept_[band].splits.end());
     }
     std::ranges::sort(result_.splits);
-    const auto repeated = std::ranges::unique(result_.splits);
-    result_.splits.erase(repeated.begin(), repeated.end());
+    result_.splits.erase(std::unique(result_.splits.begin(), result_.splits.end()), result_.splits.end());
   }
 
   // An open facet that is seen along its edge with a facet of a patch shows that all of the patch is seen.

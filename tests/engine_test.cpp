@@ -3,11 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <array>
-#include <filesystem>
 
-#include "cli/scene_file.h"
-#include "geometry/interpenetration.h"
-#include "geometry/obj_reader.h"
 #include "tests/engine_comparison.h"
 #include "tests/oracle/crossing_scenes.h"
 #include "tests/oracle/judge.h"
@@ -44,10 +40,6 @@ void check_random_scenes(RandomScene (*scene_of)(std::uint64_t), std::uint64_t s
   }
 }
 
-bool is_scene(const std::filesystem::path& file) {
-  return file.extension() == ".toml" && file.string().find("bad-") == std::string::npos;
-}
-
 }  // namespace
 
 TEST_CASE("engines: random scenes") {
@@ -61,25 +53,6 @@ TEST_CASE("engines: random scenes whose faces pass through each other") {
   EngineTally tally;
   check_random_scenes(crossing_scene, scene_count(3000), tally);
   CHECK(tally.points > 0);
-}
-
-TEST_CASE("engines: fixtures") {
-  std::size_t views = 0;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(SIGHTLINE_FIXTURES_DIR)) {
-    if (!is_scene(entry.path())) continue;
-    const Scene scene = read_scene_file(entry.path().string());
-    const Mesh whole = read_obj(std::filesystem::path(scene.mesh_file)).mesh;
-    const MeshContacts contacts = find_contacts(whole);
-    const Mesh mesh = cut(whole);
-    for (const Camera& camera : scene.cameras) {
-      INFO(entry.path().string(), " ", camera.name);
-      EngineTally tally;
-      const Sides sides = decide_sides(mesh, contacts, camera, scene.sides).sides;
-      CHECK(engine_differences(mesh, project(mesh, camera, sides), {{2, 1}, {4, 2}, {7, 7}, {5, 64}}, tally) == "");
-      ++views;
-    }
-  }
-  CHECK(views >= 30);
 }
 
 }  // namespace sightline::oracle
