@@ -1,8 +1,5 @@
 #include "sweep/engine.h"
 
-#include <tbb/global_control.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <array>
 #include <mutex>
@@ -63,12 +60,11 @@ int level_for(const ProjectedScene& scene, const Continuation& continuation, con
   return level;
 }
 
-// Two for each thread, so that one that takes longer does not keep the others waiting for long.
-std::size_t bands_for_threads() {
-  const std::size_t threads =
-      std::min<std::size_t>(static_cast<std::size_t>(tbb::this_task_arena::max_concurrency()),
-                            tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
-  return threads == 1 ? 1 : 2 * threads;
+// Not a matter of threads: the statistics count what is swept, and at the borders of bands some of it is swept twice.
+constexpr std::ptrdiff_t open_facets_in_a_band = 20000;
+
+std::size_t bands_for(const Patches& patches) {
+  return 1 + static_cast<std::size_t>(std::ranges::count(patches.role, Role::open) / open_facets_in_a_band);
 }
 
 // Tells an observer where the sweeps of several bands are in the whole: how far all of them are together.
@@ -144,7 +140,7 @@ VisibleSegments fast_visible_segments(const Mesh& mesh, const ProjectedScene& sc
   const FacetCells cells(scene, grid, behind_large);
   const auto hidden = hidden_behind_covers(mesh, scene, depths, continuation, grid, cells, behind_large);
   const Patches patches = find_patches(mesh, scene, continuation, hidden, grid, cells);
-  const Bands bands = make_bands(mesh, patches, grid, cells, options.bands.value_or(bands_for_threads()));
+  const Bands bands = make_bands(mesh, patches, grid, cells, options.bands.value_or(bands_for(patches)));
   std::vector<VisibleSegments> swept = swept_bands(mesh, scene, continuation, bands, observer);
   const auto is_transitive = [](const VisibleSegments& band) { return band.statistics.depth_is_transitive; };
   if (!std::ranges::all_of(swept, is_transitive)) return sweep(mesh, scene, observer);

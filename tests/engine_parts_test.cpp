@@ -169,13 +169,14 @@ TEST_CASE("large covers: what lies behind one large facet is hidden, what looks 
         {hidden.begin() + static_cast<std::ptrdiff_t>(begin), hidden.begin() + static_cast<std::ptrdiff_t>(end)});
   };
   CHECK(of_sheet(0, 2) == 0);
-  CHECK(of_sheet(2, 130) == 96);
+  // Two in each of eight squares, and two more at each corner of these that is inside the sheet.
+  CHECK(of_sheet(2, 130) == 128 - 16 - 14);
   CHECK(of_sheet(130, 258) < 128);
   CHECK(of_sheet(130, 258) > 0);
 }
 
 TEST_CASE("covers: sheets behind a sheet are hidden, whatever their borders are, and what looks out is not") {
-  const Mesh mesh = sheets({{1, 0.8, 16}, {2, 0.5, 7}, {3, 0.9, 9}});
+  const Mesh mesh = sheets({{1, 0.8137, 16}, {2, 0.4871, 7}, {3, 0.9, 9}});
   const ProjectedScene scene = seen_from_above(mesh);
   const CellGrid grid(scene.grid_bits, 5);
   const std::vector<std::uint8_t> none(mesh.facet_count(), 0);
@@ -184,13 +185,14 @@ TEST_CASE("covers: sheets behind a sheet are hidden, whatever their borders are,
   const VisibleSegments full = sweep(mesh, scene);
   for (const VisibleSegment& s : full.segments) CHECK(hidden[s.facet.index()] == 0);
   CHECK(count_of({hidden.begin(), hidden.begin() + 512}) == 0);
-  CHECK(count_of({hidden.begin() + 512, hidden.begin() + 512 + 98}) == 98);
+  // All but those at the sheets' common diagonal, where no facet is over the centres of the cells.
+  CHECK(count_of({hidden.begin() + 512, hidden.begin() + 512 + 98}) == 98 - 14 - 12);
   CHECK(count_of({hidden.begin() + 610, hidden.end()}) > 0);
 }
 
 // Tilted against each other, sheets have no common depth between them, but an order over every cell's centre.
 TEST_CASE("covers: sheets without a depth between them hide by their order") {
-  const Mesh level = sheets({{1, 0.9, 16}, {1.01, 0.9, 15}});
+  const Mesh level = sheets({{1, 0.9137, 16}, {1.01, 0.8871, 15}});
   std::vector<Point3> vertices = level.vertices;
   for (Point3& p : vertices) p.z += p.x;
   Mesh tilted = build_mesh(std::move(vertices), level.faces);
@@ -202,7 +204,8 @@ TEST_CASE("covers: sheets without a depth between them hide by their order") {
   const FacetCells cells(scene, grid, none);
   const auto hidden = hidden_behind_covers(tilted, scene, depth_ranges(scene), Continuation(scene), grid, cells, none);
   CHECK(count_of({hidden.begin(), hidden.begin() + 512}) == 0);
-  CHECK(count_of({hidden.begin() + 512, hidden.end()}) > 300);
+  CHECK(count_of({hidden.begin() + 512, hidden.end()}) > 450 / 2);
+  for (const VisibleSegment& s : sweep(tilted, scene).segments) CHECK(hidden[s.facet.index()] == 0);
 }
 
 TEST_CASE("patches: the inside of a sheet is one patch, its border is open, and touched facets are never plain") {
