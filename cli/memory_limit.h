@@ -36,9 +36,8 @@ constexpr std::uint64_t smallest_memory_limit = std::uint64_t{64} << 20;
 // "3.2 GiB".
 [[nodiscard]] std::string bytes_text(std::uint64_t bytes);
 
-// From here on the process gets no more than this (RLIMIT_DATA: what it has allocated, touched or not,
-// next to its code). Without effect
-// where an address sanitizer needs more for itself.
+// From here on the process gets no more than this (RLIMIT_DATA: what it has allocated, touched or not, next to
+// its code). Without effect where an address sanitizer needs more for itself.
 void hold_to(std::uint64_t limit);
 
 // The lowest limit of the process' cgroups; nullopt for none. membership: /proc/self/cgroup; mounts: /sys/fs/cgroup.

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double unit_roundoff = std::numeric_limits<double>::epsilon() / 2;
 
-// forward . (p - origin): a corner that clipping made is rounded once (1 u of its coordinates), the difference once, the
+// forward . (p - origin): a corner that clipping or cutting made is rounded once (1 u of its coordinates), the difference once, the
 // product once, and the sums twice: 5 u of the absolute values, and 8 u covers the roundings of the bound. An underflow
 // costs less than 2^-1000.
 struct Depth {
