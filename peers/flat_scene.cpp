@@ -40,6 +40,10 @@ DepthPlane depth_plane(const Frame& frame, const Camera& camera, const Vector3& 
   return {-a / offset, -b / offset, -c / offset};  // 1 / W = (a x + b y + c) / offset
 }
 
+bool is_finite(const DepthPlane& plane) {
+  return std::isfinite(plane.a) && std::isfinite(plane.b) && std::isfinite(plane.c);
+}
+
 std::vector<Corner> corners_of(const ProjectedScene& scene, FacetId facet, const DepthPlane& plane) {
   std::vector<Corner> corners;
   for (const ClippedCorner& clipped : scene.polygon(facet)) {
@@ -63,6 +67,7 @@ FlatScene flat_scene(const Mesh& mesh, const ProjectedScene& scene) {
     const double offset = dot(normal, mesh.position(mesh.corners(facet).front()) - scene.camera.origin);
     FlatPolygon polygon{mesh.facet_face[f], facet, scene.facing[f] == Facing::front, {}, {}};
     polygon.plane = depth_plane(frame, scene.camera, normal, offset);
+    if (!is_finite(polygon.plane)) continue;
     polygon.corners = corners_of(scene, facet, polygon.plane);
     if (!polygon.is_front) std::reverse(polygon.corners.begin(), polygon.corners.end());
     flat.polygons.push_back(std::move(polygon));
