@@ -11,7 +11,7 @@ namespace sightline {
 
 namespace {
 
-constexpr int most_pixels = 8192;  // along each side
+constexpr int most_pixels = 16384;  // along each side
 constexpr double default_time_limit = 60;
 
 std::vector<std::string> parsed_peers(const std::string& text) {

@@ -94,7 +94,7 @@ std::string table(const Comparison& comparison) {
 const CompareRun* shown_run(const std::vector<const CompareRun*>& runs) {
   const CompareRun* shown = nullptr;
   for (const CompareRun* run : runs) {
-    if (run->end != CompareEnd::done) continue;
+    if (run->pictures.seen.empty()) continue;
     if (shown == nullptr || shown->resolution.value_or(shown_resolution) < shown_resolution) shown = run;
   }
   return shown;

@@ -13,6 +13,7 @@ namespace sightline {
 namespace {
 
 constexpr int picture_size = 512;  // of what has no pixels of its own
+constexpr int most_pixels = 4096;  // along each side
 constexpr Colour paper{255, 255, 255};
 constexpr Colour ink{20, 20, 20};
 
@@ -58,6 +59,7 @@ void draw(const peers::VisibleLine& line, std::vector<Colour>& colours) {
 }  // namespace
 
 ComparePictures pictures_of(const peers::ItemBuffer& seen, const std::vector<float>& wrong) {
+  if (seen.resolution() > most_pixels) return {};
   std::vector<Colour> faces;
   std::vector<Colour> errors;
   for (int row = 0; row < seen.resolution(); ++row) {

@@ -1,7 +1,7 @@
 // Pictures of what a peer sees and of where it is wrong.
 //
 // Out: PNG. A colour per face, the same in every picture; where nothing is seen, white. Where a peer is wrong the faces
-//      are grey and the wrong part of each pixel is red.
+//      are grey and the wrong part of each pixel is red. Empty: more pixels than a picture should have.
 // Complexity: O(pixels), and for visible parts those that their sides run through.
 #pragma once
 
