@@ -19,6 +19,10 @@
 // Errors: none. Source: slides 001 (BSP trees), 003 (BSP_display).
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
+#include "geometry/ids.h"
 #include "peers/painting.h"
 #include "peers/peer.h"
 

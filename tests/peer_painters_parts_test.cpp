@@ -1,6 +1,7 @@
 // What painters are made of: splitting, Newell's tests, trees too high to recurse into.
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <random>
 
 #include "peers/bsp_tree.h"
@@ -41,6 +42,16 @@ int corners_shared(const FlatPolygon& a, const FlatPolygon& b) {
   int shared = 0;
   for (const Corner& c : a.corners) shared += is_corner_of(b, c) ? 1 : 0;
   return shared;
+}
+
+int pixels_of_one_only(const ItemBuffer& a, const ItemBuffer& b) {
+  int count = 0;
+  for (int row = 0; row < a.resolution(); ++row) {
+    for (int column = 0; column < a.resolution(); ++column) {
+      count += a.at(column, row).valid() != b.at(column, row).valid() ? 1 : 0;
+    }
+  }
+  return count;
 }
 
 FaceId seen_in_the_middle(const BackToFront& polygons) { return paint(polygons, 8).buffer.at(4, 4); }
@@ -121,6 +132,31 @@ TEST_CASE("coincident polygons: the lower face index is in front, however they a
       CHECK(seen_in_the_middle(display_bsp(make_bsp(polygons))) == FaceId(0));
     }
   }
+}
+
+TEST_CASE("planes about as far apart as the tolerance: sorting ends, and no polygon is lost") {
+  std::uint64_t moves = 0;
+  std::uint64_t splits = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    CAPTURE(seed);
+    std::mt19937_64 engine(seed);
+    std::vector<FlatPolygon> polygons;
+    for (std::size_t face = 0; face < 60; ++face) {
+      const auto about_1 = [&engine] { return 1 + 32 * touching * random_in_window(engine); };
+      const double x = 0.5 * random_in_window(engine);
+      const double y = 0.5 * random_in_window(engine);
+      const DepthPlane plane{about_1(), about_1(), about_1()};
+      polygons.push_back(flat_polygon(face, plane, {{x - 0.25, y - 0.25}, {x + 0.5, y}, {x, y + 0.375}}));
+    }
+    const ItemBuffer all = paint(polygons, 64).buffer;
+    const DepthSorted sorted = sort_by_depth(scene_of(polygons));
+    CHECK(pixels_of_one_only(all, paint(sorted.polygons, 64).buffer) == 0);
+    CHECK(pixels_of_one_only(all, paint(display_bsp(make_bsp(polygons)), 64).buffer) == 0);
+    moves += sorted.moves;
+    splits += sorted.splits;
+  }
+  CHECK(moves > 0);
+  CHECK(splits > 0);
 }
 
 TEST_CASE("a tree from a convex body is a list") {
