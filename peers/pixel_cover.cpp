@@ -3,24 +3,27 @@
 namespace sightline::peers {
 namespace {
 
-// Of a place against a polygon's edge: positive where it is on the edge's inner side.
+// Positive where the place is left of the edge as it goes.
 Sign side_of(const Corner& from, const Corner& to, const Point2& place) {
   return orient2d({from.x, from.y}, {to.x, to.y}, place);
 }
 
-// Whether a place on the edge, shifted to the right and less far up, is on the edge's inner side.
-bool has_its_places(const Corner& from, const Corner& to) { return from.y != to.y ? to.y < from.y : to.x >= from.x; }
+bool goes_down_at(const Corner& from, const Corner& to, double y) { return to.y <= y && y < from.y; }
+bool goes_up_at(const Corner& from, const Corner& to, double y) { return from.y <= y && y < to.y; }
 
 }  // namespace
 
 bool covers(const std::vector<Corner>& corners, const Point2& place) {
+  bool is_at_height = false;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Corner& from = corners[i];
     const Corner& to = corners[(i + 1) % corners.size()];
-    const Sign side = side_of(from, to, place);
-    if (side < 0 || (side == 0 && !has_its_places(from, to))) return false;
+    const bool down = goes_down_at(from, to, place.y);
+    const bool up = goes_up_at(from, to, place.y);
+    if ((down && side_of(from, to, place) < 0) || (up && side_of(from, to, place) <= 0)) return false;
+    is_at_height = is_at_height || down || up;
   }
-  return true;
+  return is_at_height;
 }
 
 int first_column_from(const ItemBuffer& buffer, double x) {
@@ -39,8 +42,8 @@ PixelRange columns_covered(const ItemBuffer& buffer, const std::vector<Corner>& 
     const Corner& from = corners[i];
     const Corner& to = corners[(i + 1) % corners.size()];
     const auto side = [&](int column) { return side_of(from, to, {buffer.x_of(column), y}); };
-    if (to.y <= y && y < from.y) columns.begin = first_not_before(columns, [&](int c) { return side(c) < 0; });
-    if (from.y <= y && y < to.y) columns.end = first_not_before(columns, [&](int c) { return side(c) > 0; });
+    if (goes_down_at(from, to, y)) columns.begin = first_not_before(columns, [&](int c) { return side(c) < 0; });
+    if (goes_up_at(from, to, y)) columns.end = first_not_before(columns, [&](int c) { return side(c) > 0; });
   }
   return columns;
 }

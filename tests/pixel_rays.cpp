@@ -59,6 +59,23 @@ ItemBuffer seen_by_rays(const Mesh& mesh, const ProjectedScene& scene, int resol
   return buffer;
 }
 
+std::size_t centres_on_edges(const ProjectedScene& scene, int resolution) {
+  std::size_t on_edges = 0;
+  const std::vector<ImagePoint> rays = rays_through_centres(ItemBuffer(resolution), scene.grid_bits);
+  for (const oracle::RayHits& hits : oracle::cast(scene, rays)) on_edges += hits.on_edge ? 1 : 0;
+  return on_edges;
+}
+
+int differing_pixels(const ItemBuffer& a, const ItemBuffer& b) {
+  int differing = 0;
+  for (int row = 0; row < a.resolution(); ++row) {
+    for (int column = 0; column < a.resolution(); ++column) {
+      differing += a.at(column, row) != b.at(column, row) ? 1 : 0;
+    }
+  }
+  return differing;
+}
+
 int wrong_pixels(const ProjectedScene& scene, const ItemBuffer& buffer, const ItemBuffer& truth) {
   int wrong = 0;
   for (int row = 0; row < truth.resolution(); ++row) {
