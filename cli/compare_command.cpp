@@ -99,7 +99,7 @@ void write_results(const Comparison& comparison, const std::string& output) {
 }
 
 std::string summary_line(const CompareRun& run) {
-  const std::string error = run.areas ? fmt::format("{:.2e}", run.areas->wrong_share) : run.length ? "lines" : "-";
+  const std::string error = run.areas ? fmt::format("{:.2e}", run.areas->wrong_share) : run.lines ? "lines" : "-";
   const std::string time = run.end == CompareEnd::done ? fmt::format("{:.4f}", run.seconds) : to_string(run.end);
   return fmt::format("{:22} {:>6} {:>12} {:>12}\n", run.peer.name,
                      run.resolution ? std::to_string(*run.resolution) : "", time, error);

@@ -56,8 +56,9 @@ std::string seconds_text(double seconds) {
 std::string bytes_text(std::uint64_t bytes) { return fmt::format("{:.3g} MB", static_cast<double>(bytes) / 1e6); }
 
 std::string error_cells(const CompareRun& run) {
-  if (run.length) {
-    return fmt::format("<td class=\"text\" colspan=\"5\">lines, {:.4g} window units long together</td>", *run.length);
+  if (run.lines) {
+    return fmt::format("<td class=\"text\" colspan=\"5\">of the visible lines {:.2g} are missing; {:.2g} too much</td>",
+                       run.lines->missing_share, run.lines->hidden_share);
   }
   const peers::AreaErrors& errors = run.areas.value();
   return fmt::format("<td>{:.2g}</td><td>{:.2g}</td><td>{:.2g}</td><td>{}</td><td>{}</td>", errors.wrong_share,

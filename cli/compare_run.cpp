@@ -1,6 +1,5 @@
 #include "cli/compare_run.h"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <variant>
 
@@ -15,6 +14,7 @@ namespace {
 
 using Json = nlohmann::json;
 using peers::AreaErrors;
+using peers::LineErrors;
 
 void measure(const peers::ItemBuffer& seen, const peers::ExactParts& exact, CompareRun& run) {
   const peers::PixelErrors errors = peers::errors_of(seen, exact);
@@ -27,10 +27,8 @@ void measure(const peers::VisibleParts& seen, const peers::ExactParts& exact, Co
   run.pictures = pictures_of(seen, exact);
 }
 
-void measure(const peers::VisibleLines& seen, const peers::ExactParts& /*exact*/, CompareRun& run) {
-  double length = 0;
-  for (const peers::VisibleLine& line : seen) length += std::hypot(line.to.x - line.from.x, line.to.y - line.from.y);
-  run.length = length;
+void measure(const peers::VisibleLines& seen, const peers::ExactParts& exact, CompareRun& run) {
+  run.lines = peers::errors_of(seen, exact.lines);
   run.pictures = pictures_of(seen);
 }
 
@@ -68,7 +66,10 @@ Json to_json(const AreaErrors& errors) {
           errors.hidden_faces_shown};
 }
 
+Json to_json(const LineErrors& errors) { return {errors.length, errors.missing_share, errors.hidden_share}; }
+
 AreaErrors areas_of(const Json& json) { return {json[0], json[1], json[2], json[3], json[4]}; }
+LineErrors lines_of(const Json& json) { return {json[0], json[1], json[2]}; }
 
 // From process to process.
 std::string message_of(const CompareRun& run) {
@@ -83,7 +84,7 @@ std::string message_of(const CompareRun& run) {
                      {"peak", run.peak_bytes},
                      {"counts", counts},
                      {"areas", run.areas ? to_json(*run.areas) : Json()},
-                     {"length", run.length ? Json(*run.length) : Json()},
+                     {"lines", run.lines ? to_json(*run.lines) : Json()},
                      {"seen", binary(run.pictures.seen)},
                      {"wrong", binary(run.pictures.wrong)}};
   const std::vector<std::uint8_t> bytes = Json::to_cbor(json);
@@ -101,7 +102,7 @@ void read_message(const std::string& bytes, CompareRun& run) {
   run.peak_bytes = json["peak"];
   for (const Json& count : json["counts"]) run.counts.push_back({count[0], count[1]});
   if (!json["areas"].is_null()) run.areas = areas_of(json["areas"]);
-  if (!json["length"].is_null()) run.length = json["length"].get<double>();
+  if (!json["lines"].is_null()) run.lines = lines_of(json["lines"]);
   run.pictures = {text(json["seen"]), text(json["wrong"])};
 }
 

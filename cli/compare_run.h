@@ -13,6 +13,7 @@
 #include "cli/compare_pictures.h"
 #include "peers/errors_of_areas.h"
 #include "peers/exact_parts.h"
+#include "peers/line_errors.h"
 #include "peers/peer.h"
 
 namespace sightline {
@@ -35,7 +36,7 @@ struct CompareRun {
   std::uint64_t peak_bytes = 0;
   std::vector<peers::Count> counts;
   std::optional<peers::AreaErrors> areas;  // of item buffers and visible parts
-  std::optional<double> length;            // of visible lines together, in window units
+  std::optional<peers::LineErrors> lines;  // of visible lines
   ComparePictures pictures;
 };
 

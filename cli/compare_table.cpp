@@ -29,6 +29,14 @@ void write_errors(const std::optional<peers::AreaErrors>& errors, TextBuffer& ou
       << std::uint64_t{errors->missed_faces} << ',' << std::uint64_t{errors->hidden_faces_shown} << ',';
 }
 
+void write_errors(const std::optional<peers::LineErrors>& errors, TextBuffer& out) {
+  if (!errors) {
+    out << ",,,";
+    return;
+  }
+  out << errors->length << ',' << errors->missing_share << ',' << errors->hidden_share << ',';
+}
+
 void write_row(const CompareRun& run, TextBuffer& out) {
   const bool is_done = run.end == CompareEnd::done;
   out << run.peer.name << ',' << to_string(run.peer.computed_at) << ',';
@@ -39,8 +47,8 @@ void write_row(const CompareRun& run, TextBuffer& out) {
   if (is_done) out << run.peak_bytes;
   out << ',';
   write_errors(run.areas, out);
-  if (run.length) out << *run.length;
-  out << ',' << quoted(counts_text(run)) << '\n';
+  write_errors(run.lines, out);
+  out << quoted(counts_text(run)) << '\n';
 }
 
 Json errors_json(const std::optional<peers::AreaErrors>& errors) {
@@ -50,6 +58,11 @@ Json errors_json(const std::optional<peers::AreaErrors>& errors) {
           {"mean_relative_error", errors->mean_relative_error},
           {"missed_faces", errors->missed_faces},
           {"hidden_faces_shown", errors->hidden_faces_shown}};
+}
+
+Json errors_json(const std::optional<peers::LineErrors>& errors) {
+  if (!errors) return nullptr;
+  return {{"length", errors->length}, {"missing_share", errors->missing_share}, {"hidden_share", errors->hidden_share}};
 }
 
 Json run_json(const CompareRun& run) {
@@ -66,7 +79,7 @@ Json run_json(const CompareRun& run) {
           {"seconds", is_done ? Json(run.seconds) : Json()},
           {"peak_bytes", is_done ? Json(run.peak_bytes) : Json()},
           {"errors", errors_json(run.areas)},
-          {"length", run.length ? Json(*run.length) : Json()},
+          {"line_errors", errors_json(run.lines)},
           {"counts", std::move(counts)}};
 }
 
@@ -83,7 +96,7 @@ std::string counts_text(const CompareRun& run) {
 std::string compare_table(const Comparison& comparison) {
   TextBuffer out;
   out << "peer,precision,resolution,outcome,why,seconds,peak_bytes,wrong_share,largest_relative_error,"
-         "mean_relative_error,missed_faces,hidden_faces_shown,length,counts\n";
+         "mean_relative_error,missed_faces,hidden_faces_shown,length,missing_share,hidden_share,counts\n";
   for (const CompareRun& run : comparison.runs) write_row(run, out);
   return out.take();
 }

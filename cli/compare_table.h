@@ -1,6 +1,7 @@
 // compare.csv and compare.json: a row per run. Empty, or null, is what does not apply or is not known.
 //
-// Shares are of the window, relative errors of a face's visible area, lengths in window units, seconds of processor time.
+// Shares are of the window, or of the length of all visible lines; relative errors are of a face's visible area, lengths in
+// window units, seconds of processor time.
 // Equal between runs except for seconds and peak_bytes.
 #pragma once
 

@@ -1,5 +1,6 @@
 #include "peers/exact_parts.h"
 
+#include "peers/exact_lines.h"
 #include "sweep/image_points.h"
 
 namespace sightline::peers {
@@ -20,7 +21,7 @@ VisibleParts visible_parts(const ProjectedScene& scene, const VisibleSegments& s
 }
 
 ExactParts exact_parts(const ProjectedScene& scene, const VisibleSegments& segments, const VisiblePolygons& polygons) {
-  ExactParts exact{visible_parts(scene, segments, polygons), {}};
+  ExactParts exact{visible_parts(scene, segments, polygons), exact_lines(scene, segments), {}};
   std::map<FaceId, bool> resolved;
   for (const VisiblePolygon& polygon : polygons.polygons) {
     exact.areas[polygon.face] += polygon.area;

@@ -1,4 +1,4 @@
-// What is exactly visible, as the peers say it: rings in the window's coordinates, rounded to double.
+// What is exactly visible, as the peers say it: in the window's coordinates, rounded to double.
 #pragma once
 
 #include "peers/errors_of_areas.h"
@@ -13,7 +13,8 @@ namespace sightline::peers {
 
 struct ExactParts {
   VisibleParts parts;
-  FaceAreas areas;  // of the faces that are called visible: some polygon of theirs is not below resolution
+  VisibleLines lines;  // exact_lines.h
+  FaceAreas areas;     // of the faces that are called visible: some polygon of theirs is not below resolution
 };
 
 [[nodiscard]] ExactParts exact_parts(const ProjectedScene& scene, const VisibleSegments& segments,

@@ -111,7 +111,7 @@ TEST_CASE("the page writes names as text, and a row for each run") {
   const auto rows = lines_of(compare_table(comparison));
   REQUIRE(rows.size() == 3);
   CHECK(split(rows[1], ',').size() == split(rows[0], ',').size());
-  CHECK(rows[2].starts_with("peer,image,2,refused,\"too many bodies\",,,,,,,,,"));
+  CHECK(rows[2].starts_with("peer,image,2,refused,\"too many bodies\",,,,,,,,,,,"));
 }
 
 TEST_CASE("peers have names of their own, and something to say of themselves") {

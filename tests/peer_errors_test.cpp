@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "peers/line_errors.h"
 #include "peers/part_errors.h"
 #include "peers/pixel_areas.h"
 #include "peers/pixel_errors.h"
@@ -37,7 +38,7 @@ Ring random_star(std::mt19937& random) {
 
 // One face, everywhere or where a rectangle is.
 ExactParts exact(const VisibleParts& parts) {
-  ExactParts result{parts, {}};
+  ExactParts result{parts, {}, {}};
   for (const VisiblePart& part : parts) result.areas[part.face] += signed_area(part.ring);
   return result;
 }
@@ -141,6 +142,22 @@ TEST_CASE("errors of pixels are those of the same pixels as visible parts") {
     }
     CHECK(std::abs(errors_of(seen, truth).errors.wrong_share - errors_of(parts, truth).wrong_share) < 1e-12);
   }
+}
+
+TEST_CASE("errors of lines: what is missing, what is hidden, on lines of any direction") {
+  const VisibleLines exact{{{-0.5, -0.5}, {0.5, 0.5}}, {{0, 0.25}, {0, -0.75}}};
+  const double length = std::sqrt(2.0) + 1;
+  const auto errors = [&](const VisibleLines& seen) { return errors_of(seen, exact); };
+  const auto is_near = [](double value, double expected) { return std::abs(value - expected) < 1e-12; };
+  CHECK(is_near(errors(exact).length, length));
+  CHECK(errors(exact).missing_share < 1e-12);
+  CHECK(errors(exact).hidden_share < 1e-12);
+  const LineErrors halves = errors({{{0.5, 0.5}, {0.25, 0.25}}, {{-0.5, -0.5}, {0.25, 0.25}}, {{0, 0.25}, {0, -0.25}}});
+  CHECK(is_near(halves.missing_share, 0.5 / length));
+  CHECK(halves.hidden_share < 1e-12);
+  const LineErrors longer = errors({{{-0.75, -0.75}, {0.5, 0.5}}, {{0, 0.25}, {0, -0.75}}, {{0, 0.5}, {1, 0.5}}});
+  CHECK(longer.missing_share < 1e-12);
+  CHECK(is_near(longer.hidden_share, (std::sqrt(2.0) / 4 + 1) / length));
 }
 
 }  // namespace sightline::peers
