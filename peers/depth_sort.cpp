@@ -1,6 +1,7 @@
 #include "peers/depth_sort.h"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 
 #include "peers/newell_tests.h"
@@ -81,10 +82,10 @@ class DepthSort {
     };
     const auto moved = std::find_if(moved_.begin(), moved_.end(), is_obstacle);
     if (moved != moved_.end()) return *moved;
-    for (auto q = list_.rbegin(); q != list_.rend(); ++q) {
-      if (is_nearer_throughout(surface(*q), surface(p))) break;
-      if (is_obstacle(*q)) return *q;
-    }
+    const auto overlapping = std::partition_point(
+        list_.begin(), list_.end(), [&](SurfaceId q) { return is_nearer_throughout(surface(q), surface(p)); });
+    const auto listed = std::find_if(list_.rbegin(), std::make_reverse_iterator(overlapping), is_obstacle);
+    if (listed != std::make_reverse_iterator(overlapping)) return *listed;
     return std::nullopt;
   }
 
