@@ -1,6 +1,6 @@
 // Convex polygons of the image: the overlap of two, and what is left of one outside another.
 //
-// In:  strictly convex rings, counter-clockwise, in the window's coordinates (convex_image makes one of a flat polygon).
+// In:  strictly convex rings, counter-clockwise, in the window's coordinates (convex_image makes one of a polygon).
 // Out: rings of the same kind. Each cut goes along the line of one edge.
 // Holds: the overlap and the remains of a ring do not overlap each other, and together they are the ring, up to the
 //      rounding of the cuts' points and up to parts that are below resolution.

@@ -13,14 +13,15 @@
 //   - know where the edges of two occluders cross inside a triangle: only its own edges are intersected with theirs;
 //   - know the vertices of an occluder inside the triangle that meets none of the triangle's edges (line 6 is asked
 //     inside line 4).
-// Right for: scenes where every triangle that is hidden in part has a corner that is hidden and one that is seen, and where the
-//      Delaunay triangulation keeps the occluders' edges. It does for a single convex occluder with no vertex inside.
+// Right for: scenes where every triangle that is hidden in part has a corner that is hidden and one that is seen, and
+//      where no edge of the Delaunay triangulation crosses the border of what hides. None does where that border is one
+//      straight line across the triangle.
 // Where the text leaves a choice:
 //   - a triangle is closer than a vertex where it is before it on the vertex' line of sight, and closer than a triangle
 //     where it is before it in their overlap (in_front.h);
-//   - a new triangle's visibility is that of its centroid. "In a way described in 3.7" would be by its corners, but they
-//     lie on the occluders' edges, where being inside is a matter of rounding; if a new triangle is wholly visible or
-//     wholly hidden, as the thesis says, any point inside it tells.
+//   - a new triangle's visibility is that of its centroid. "In a way described in 3.7" would be by its corners, but
+//     they lie on the occluders' edges, where being inside is a matter of rounding; if a new triangle is wholly visible
+//     or wholly hidden, as the thesis says, any point inside it tells.
 #pragma once
 
 #include "peers/peer.h"

@@ -1,13 +1,15 @@
 // The generic object-precision algorithm sees what the sweep sees.
 #include <doctest/doctest.h>
 
-#include "geometry/obj_reader.h"
+#include <cmath>
+
 #include "peers/every_pair.h"
 #include "tests/oracle/crossing_scenes.h"
 #include "tests/oracle/judge.h"
 #include "tests/oracle/random_scenes.h"
 #include "tests/peer_parts.h"
 #include "tests/polygon_mesh.h"
+#include "tests/random_surfaces.h"
 
 namespace sightline::testing {
 namespace {
@@ -43,24 +45,24 @@ TEST_CASE("every pair: random scenes, coplanar overlap included") {
   std::uint64_t overlaps = 0;
   std::uint64_t coplanar = 0;
   std::uint64_t pinholes = 0;
-  for (std::uint64_t seed = 1; seed <= oracle::scene_count(2000); ++seed) {
+  for (std::uint64_t seed = 1; seed <= oracle::scene_count(600); ++seed) {
     const RandomScene scene = oracle::random_scene(seed);
     overlaps += check_random_scene(scene);
     coplanar += scene.notes.coplanar_overlap ? 1 : 0;
     pinholes += scene.camera.projection == Projection::perspective ? 1 : 0;
   }
   MESSAGE(overlaps << " pairs overlap; " << coplanar << " scenes with coplanar overlap; " << pinholes << " pinholes");
-  CHECK(overlaps > 3 * oracle::scene_count(2000));
-  CHECK(coplanar > oracle::scene_count(2000) / 20);
-  CHECK(pinholes > oracle::scene_count(2000) / 5);
+  CHECK(overlaps > 3 * oracle::scene_count(600));
+  CHECK(coplanar > oracle::scene_count(600) / 20);
+  CHECK(pinholes > oracle::scene_count(600) / 5);
 }
 
 TEST_CASE("every pair: random scenes whose faces pass through each other, cut along their common lines") {
   std::uint64_t overlaps = 0;
-  for (std::uint64_t seed = 1; seed <= oracle::scene_count(500); ++seed) {
+  for (std::uint64_t seed = 1; seed <= oracle::scene_count(200); ++seed) {
     overlaps += check_random_scene(oracle::crossing_scene(seed));
   }
-  CHECK(overlaps > 3 * oracle::scene_count(500));
+  CHECK(overlaps > 3 * oracle::scene_count(200));
 }
 
 TEST_CASE("every pair: a small square before a table leaves a frame of convex parts") {
@@ -77,6 +79,14 @@ TEST_CASE("every pair: what is behind is not seen at all") {
   CHECK(parts.seen[0] == 0);
   CHECK(parts.seen[1] == 2.25);
   CHECK(parts.parts.size() == 1);
+}
+
+TEST_CASE("every pair: a part that what is in front does not meet stays whole") {
+  const Corners over{{0, -0.6, 2}, {0.6, -0.6, 2}, {0.6, 0, 2}};
+  const Corners between{{0.4, -0.55, 1}, {0.55, -0.55, 1}, {0.55, -0.4, 1}, {0.4, -0.4, 1}};
+  const PartsCase parts = parts_case(every_pair(), mesh_of({table, over, between}), straight_down());
+  check_equals_sweep(parts);
+  CHECK(parts.parts.size() == 3 + 1);
 }
 
 TEST_CASE("every pair: of coplanar faces the lower one is in front") {
@@ -115,12 +125,34 @@ TEST_CASE("every pair: neighbours share their edges' lines and leave no slivers"
   CHECK(number_of(parts, "unobstructed parts") <= 32 + 2 * 32 + 2);
 }
 
-TEST_CASE("every pair: rounding dents a polygon where two corners share almost one place") {
+TEST_CASE("every pair: rounding to the grid dents a polygon at a short edge") {
   const double cell = 0x1p-40;
-  const Corners dented{
-      {-0.5, -0.5, 1}, {0.5, -0.5, 1}, {0.5, 0.5, 1}, {-0.5 + 0.9 * cell, 0.5, 1}, {-0.5, 0.5 - 0.6 * cell, 1}};
-  const PartsCase parts = parts_case(every_pair(), mesh_of({table, dented}), straight_down());
-  check_equals_sweep(parts);
+  const double slope = 0.98 / 3;
+  const Corners dented{{-0.5, -0.5, 1},
+                       {0.5, -0.5, 1},
+                       {0.5, 0.249 + 0.5 * slope, 1},
+                       {3 * cell, 0.25 + 1.49 * cell, 1},  // rounded down
+                       {0, 0.25 + 0.51 * cell, 1},         // rounded up: the edge between them becomes level
+                       {-0.5, 0.249 - 0.5 * slope, 1}};
+  const Mesh mesh = mesh_of({table, dented});
+  REQUIRE(mesh.facet_count() == 2);
+  check_equals_sweep(parts_case(every_pair(), mesh, straight_down()));
+}
+
+TEST_CASE("every pair: random surfaces, cut along their common lines") {
+  std::uint64_t parts_seen = 0;
+  std::uint64_t overlaps = 0;
+  for (std::uint64_t seed = 1; seed <= oracle::scene_count(60); ++seed) {
+    INFO("seed ", seed);
+    const RandomSurfaces surfaces = random_surfaces(seed);
+    const PartsCase parts = parts_case(every_pair(), oracle::cut(surfaces.mesh), surfaces.camera);
+    check_equals_sweep(parts);
+    parts_seen += number_of(parts, "unobstructed parts");
+    overlaps += number_of(parts, "pairs whose projections overlap");
+  }
+  MESSAGE(overlaps << " pairs overlap, " << parts_seen << " parts are seen");
+  CHECK(overlaps > 100 * oracle::scene_count(60));
+  CHECK(parts_seen > 100 * oracle::scene_count(60));
 }
 
 }  // namespace sightline::testing

@@ -88,6 +88,17 @@ TEST_CASE("koucky: the border of what hides is one straight line across the tria
   }
 }
 
+TEST_CASE("koucky: the second triangulation keeps no point that only hidden triangles have") {
+  std::vector<Corners> polygons{triangle};
+  for (int i = 0; i < 8; ++i) polygons.push_back(rectangle(-0.75 + i / 16.0, -1, -0.6875 + i / 16.0, -0.25));
+  const PartsCase parts = seen_from_above(polygons);
+  CHECK(largest_error(parts) <= tolerance);
+  const std::uint64_t of_strips = 2 * 8;
+  const std::uint64_t points = 3 + 9 + 1;  // corners, the strips' upper ends, the last one's right side
+  const std::uint64_t on_border = 5;
+  CHECK(number_of(parts, "triangles") == of_strips + 2 * points - 2 - on_border);
+}
+
 TEST_CASE("koucky: an occluder with no vertex inside that hides no corner is missed") {
   const PartsCase parts = seen_from_above({triangle, rectangle(-0.25, -1, 0, 1)});
   CHECK(parts.seen[0] == 1.125);
@@ -145,7 +156,7 @@ TEST_CASE("koucky: on random scenes the parts of a face do not overlap") {
   std::uint64_t scenes = 0;
   std::uint64_t partly = 0;
   std::uint64_t right = 0;
-  for (std::uint64_t seed = 1; scenes < oracle::scene_count(1000); ++seed) {
+  for (std::uint64_t seed = 1; scenes < oracle::scene_count(300); ++seed) {
     INFO("seed ", seed);
     const oracle::RandomScene scene = oracle::random_scene(seed);
     if (scene.notes.not_planar) continue;  // the images of such a face's facets may overlap
@@ -156,7 +167,7 @@ TEST_CASE("koucky: on random scenes the parts of a face do not overlap") {
     right += largest_error(parts) <= tolerance ? 1 : 0;
   }
   MESSAGE(right << " of " << scenes << " scenes are right; " << partly << " triangles were retriangulated");
-  CHECK(partly > oracle::scene_count(1000) / 2);
+  CHECK(partly > oracle::scene_count(300) / 2);
   CHECK(right > 0);
 }
 
