@@ -1,23 +1,21 @@
-// Work that may take too long, or fail, in a process of its own.
+// Work in a process of its own, with a limit on its time (separate_process.h), as often as one likes.
 //
-// In:  the work, which gives numbers, and a limit of processor time in seconds.
+// In:  work that gives numbers, and a limit of processor time in seconds.
 // Out: the numbers, or why there are none. Repeated, the median of each of the numbers.
-// Holds: the work starts with the memory of this process as it is and changes nothing in it; other processes on the
-//      machine do not use up the limit.
-// Complexity: of the work; a fork before it.
-// Errors: std::system_error where no process can be started. An exception of the work is printed and ends as `failed`.
+// Errors: as a separate process.
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <vector>
+
+#include "cli/separate_process.h"
 
 namespace sightline::bench {
 
 using Work = std::function<std::vector<double>()>;
 
 struct Outcome {
-  enum class End : std::uint8_t { done, out_of_time, failed };
+  using End = SeparateOutcome::End;
   End end = End::failed;
   std::vector<double> numbers;
 };

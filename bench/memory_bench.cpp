@@ -9,7 +9,7 @@
 #include <string>
 
 #include "bench/generated_scenes.h"
-#include "bench/process_memory.h"
+#include "cli/process_memory.h"
 #include "cli/face_measures.h"
 #include "cli/labelled_obj.h"
 #include "cli/labelled_ply.h"

@@ -6,7 +6,7 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/envelope_3.h>
 
-#include "bench/processor_time.h"
+#include "cli/processor_time.h"
 
 namespace sightline::bench {
 namespace {

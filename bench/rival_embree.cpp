@@ -9,7 +9,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "bench/processor_time.h"
+#include "cli/processor_time.h"
 
 namespace sightline::bench {
 namespace {

@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <stdexcept>
 
-#include "bench/processor_time.h"
+#include "cli/processor_time.h"
 
 namespace sightline::bench {
 namespace {

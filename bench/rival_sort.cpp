@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "bench/processor_time.h"
+#include "cli/processor_time.h"
 #include "bench/rivals.h"
 #include "bench/scene_parts.h"
 

@@ -7,7 +7,7 @@
 
 #include <stdexcept>
 
-#include "bench/processor_time.h"
+#include "cli/processor_time.h"
 
 namespace sightline::bench {
 

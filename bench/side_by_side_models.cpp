@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "bench/processor_time.h"
+#include "cli/processor_time.h"
 #include "geometry/box_hierarchy.h"
 #include "geometry/common_lines.h"
 #include "geometry/culling.h"

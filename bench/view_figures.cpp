@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "bench/generated_scenes.h"
-#include "bench/process_memory.h"
-#include "bench/processor_time.h"
+#include "cli/process_memory.h"
+#include "cli/processor_time.h"
 #include "sightline/analyze.h"
 
 namespace sightline::bench {

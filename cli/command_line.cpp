@@ -5,12 +5,11 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <charconv>
-#include <cmath>
-#include <string_view>
-#include <vector>
 
+#include "cli/camera_options.h"
+#include "cli/compare_options.h"
 #include "cli/memory_limit.h"
+#include "cli/option_values.h"
 #include "cli/scene_file.h"
 #include "cli/stability_families.h"
 
@@ -20,9 +19,10 @@ namespace {
 
 constexpr int most_threads = 1024;
 
-// The options as texts: numbers are parsed here and not by CLI11, which goes through the locale.
+// The options as texts.
 struct AnalyzeTexts {
-  std::string input, output, sides, eye, target, up, fov_y, aspect, arithmetic, grid_bits, engine, threads, max_memory;
+  std::string input, output, sides, arithmetic, grid_bits, engine, threads, max_memory;
+  CameraTexts camera;
   bool json = false;
   bool quiet = false;
 };
@@ -31,56 +31,6 @@ struct StabilityTexts {
   std::string output, family;
   bool quiet = false;
 };
-
-double parsed_number(std::string_view text, std::string_view option) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) {
-    throw CommandLineError(fmt::format("{}: '{}' is not a number", option, text));
-  }
-  return value;
-}
-
-std::vector<std::string_view> split(std::string_view text, char separator) {
-  std::vector<std::string_view> parts;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(separator, begin), text.size());
-    parts.push_back(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return parts;
-}
-
-Vector3 parsed_vector(std::string_view text, std::string_view option) {
-  const auto parts = split(text, ',');
-  if (parts.size() != 3) throw CommandLineError(fmt::format("{}: '{}' is not of the form X,Y,Z", option, text));
-  return {parsed_number(parts[0], option), parsed_number(parts[1], option), parsed_number(parts[2], option)};
-}
-
-Camera camera_of(const AnalyzeTexts& texts) {
-  if (texts.eye.empty() || texts.target.empty() || texts.fov_y.empty()) {
-    throw CommandLineError("a mesh needs a camera: give --eye, --target and --fov-y, or a scene file (.toml)");
-  }
-  ViewPoint view;
-  view.eye = parsed_vector(texts.eye, "--eye");
-  view.target = parsed_vector(texts.target, "--target");
-  if (!texts.up.empty()) view.up = parsed_vector(texts.up, "--up");
-  if (!texts.aspect.empty()) view.aspect = parsed_number(texts.aspect, "--aspect");
-  try {
-    return perspective_camera("view", view, parsed_number(texts.fov_y, "--fov-y"));
-  } catch (const CameraError& error) {
-    throw CommandLineError(error.what());
-  }
-}
-
-void refuse_camera(const AnalyzeTexts& texts) {
-  for (const std::string* text : {&texts.eye, &texts.target, &texts.up, &texts.fov_y, &texts.aspect}) {
-    if (!text->empty()) {
-      throw CommandLineError(
-          "--eye, --target, --up, --fov-y and --aspect go with a mesh; a scene file has its own cameras");
-    }
-  }
-}
 
 std::uint64_t memory_limit(const std::string& text) {
   if (text.empty()) return default_memory_limit();
@@ -100,14 +50,8 @@ Precision precision_of(const AnalyzeTexts& texts) {
     }
     precision.arithmetic = *arithmetic;
   }
-  if (!texts.grid_bits.empty()) {
-    const double bits = parsed_number(texts.grid_bits, "--grid-bits");
-    if (bits != std::floor(bits) || bits < smallest_grid_bits || bits > default_grid_bits) {
-      throw CommandLineError(fmt::format("--grid-bits: '{}' is not a whole number from {} to {}", texts.grid_bits,
-                                         smallest_grid_bits, default_grid_bits));
-    }
-    precision.grid_bits = static_cast<int>(bits);
-  }
+  if (!texts.grid_bits.empty())
+    precision.grid_bits = parsed_whole_number(texts.grid_bits, "--grid-bits", smallest_grid_bits, default_grid_bits);
   return precision;
 }
 
@@ -119,11 +63,7 @@ Engine engine_of(const AnalyzeTexts& texts) {
 
 std::size_t threads_of(const AnalyzeTexts& texts) {
   if (texts.threads.empty()) return static_cast<std::size_t>(tbb::info::default_concurrency());
-  const double threads = parsed_number(texts.threads, "--threads");
-  if (threads != std::floor(threads) || threads < 1 || threads > most_threads)
-    throw CommandLineError(
-        fmt::format("--threads: '{}' is not a whole number from 1 to {}", texts.threads, most_threads));
-  return static_cast<std::size_t>(threads);
+  return static_cast<std::size_t>(parsed_whole_number(texts.threads, "--threads", 1, most_threads));
 }
 
 AnalyzeOptions options_of(const AnalyzeTexts& texts) {
@@ -142,11 +82,7 @@ AnalyzeOptions options_of(const AnalyzeTexts& texts) {
   options.threads = threads_of(texts);
   options.json = texts.json;
   options.quiet = texts.quiet;
-  if (options.input_is_scene()) {
-    refuse_camera(texts);
-  } else {
-    options.camera = camera_of(texts);
-  }
+  options.camera = camera_of(texts.input, texts.camera);
   return options;
 }
 
@@ -177,11 +113,7 @@ void declare_analyze(CLI::App& analyze, AnalyzeTexts& texts) {
   analyze.add_option("input", texts.input, "a scene file (.toml), or a mesh (.obj) with a camera from the options")
       ->required()
       ->type_name("SCENE.toml|MESH.obj");
-  analyze.add_option("--eye", texts.eye, "where the camera is")->type_name("X,Y,Z");
-  analyze.add_option("--target", texts.target, "what it looks at")->type_name("X,Y,Z");
-  analyze.add_option("--up", texts.up, "what is up (0,1,0)")->type_name("X,Y,Z");
-  analyze.add_option("--fov-y", texts.fov_y, "vertical field of view in degrees")->type_name("DEG");
-  analyze.add_option("--aspect", texts.aspect, "the window's width over its height (1)")->type_name("R");
+  declare_camera(analyze, texts.camera);
   analyze.add_option("--sides", texts.sides, "which sides of faces count (auto)")->type_name("auto|front|both");
   analyze.add_option("--arithmetic", texts.arithmetic, "in which every decision is taken (exact)")
       ->type_name("float|double|exact");
@@ -201,8 +133,6 @@ void declare_analyze(CLI::App& analyze, AnalyzeTexts& texts) {
 
 }  // namespace
 
-bool AnalyzeOptions::input_is_scene() const { return input.ends_with(".toml") || input.ends_with(".TOML"); }
-
 Request parse_command_line(int argc, const char* const* argv) {
   CLI::App app("sightline: exactly which part of every triangle of a surface a camera sees", "sightline");
   app.set_version_flag("--version", "sightline " SIGHTLINE_VERSION);
@@ -210,6 +140,10 @@ Request parse_command_line(int argc, const char* const* argv) {
   CLI::App* analyze = app.add_subcommand("analyze", "Label a mesh with what each camera sees of it");
   AnalyzeTexts texts;
   declare_analyze(*analyze, texts);
+  CLI::App* compare =
+      app.add_subcommand("compare", "Let the textbooks' algorithms see the same scene, and measure them");
+  CompareTexts compare_texts;
+  declare_compare(*compare, compare_texts);
   CLI::App* stability = app.add_subcommand(
       "stability", "Measure where float, double and exact arithmetic break, on scenes that go to extremes");
   StabilityTexts stability_texts;
@@ -223,6 +157,7 @@ Request parse_command_line(int argc, const char* const* argv) {
   } catch (const CLI::ParseError& error) {
     throw CommandLineError(error.what());
   }
+  if (compare->parsed()) return options_of(compare_texts);
   if (stability->parsed()) return options_of(stability_texts);
   return options_of(texts);
 }

@@ -1,4 +1,4 @@
-// The command line: sightline analyze SCENE.toml|MESH.obj ..., sightline stability ...
+// The command line: sightline analyze SCENE.toml|MESH.obj ..., sightline compare ..., sightline stability ...
 //
 // In:  the arguments. Out: what to do, or a text that was asked for (help, version).
 // Errors: CommandLineError, one line.
@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "cli/scene.h"
 #include "geometry/arithmetic.h"
@@ -32,7 +33,7 @@ struct AnalyzeOptions {
   bool json = false;
   bool quiet = false;
 
-  [[nodiscard]] bool input_is_scene() const;
+  [[nodiscard]] bool input_is_scene() const { return !camera; }
 };
 
 struct StabilityOptions {
@@ -41,12 +42,23 @@ struct StabilityOptions {
   bool quiet = false;
 };
 
+struct CompareOptions {
+  std::string input;                  // a scene file where it ends in .toml, else a mesh
+  std::string output;                 // the folder for the results
+  std::optional<std::string> camera;  // of the scene; none: the first
+  std::optional<Camera> mesh_camera;  // set where the input is a mesh
+  std::vector<std::string> peers;     // their names, which exist
+  std::vector<int> resolutions;       // ascending, distinct
+  double limit_seconds = 0;           // of processor time, for each run
+  bool quiet = false;
+};
+
 // What --help or --version asked for; print it and be done.
 struct RequestedText {
   std::string text;
 };
 
-using Request = std::variant<AnalyzeOptions, StabilityOptions, RequestedText>;
+using Request = std::variant<AnalyzeOptions, CompareOptions, StabilityOptions, RequestedText>;
 
 [[nodiscard]] Request parse_command_line(int argc, const char* const* argv);
 

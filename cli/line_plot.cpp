@@ -91,11 +91,13 @@ std::string legend(const LinePlot& plot) {
     text += legend_entry(series, x, y);
     y += 22;
   }
-  text += fmt::format("<g stroke=\"#333\">{}</g><text x=\"{}\" y=\"{}\">{}</text>\n", cross(x + 14, y), x + 36, y + 4,
-                      plot.no_result);
-  y += 22;
-  text += fmt::format("<g stroke=\"#333\">{}</g><text x=\"{}\" y=\"{}\">{}</text>\n", ring(x + 14, y), x + 36, y + 4,
-                      plot.doubtful);
+  const auto add_sign = [&](const std::string& sign, const std::string& meaning) {
+    if (meaning.empty()) return;
+    text += fmt::format("<g stroke=\"#333\">{}</g><text x=\"{}\" y=\"{}\">{}</text>\n", sign, x + 36, y + 4, meaning);
+    y += 22;
+  };
+  add_sign(cross(x + 14, y), plot.no_result);
+  add_sign(ring(x + 14, y), plot.doubtful);
   return text;
 }
 

@@ -33,8 +33,8 @@ struct LinePlot {
   std::string title;
   std::string x_label;
   std::string y_label;
-  std::string no_result;  // what the top row says
-  std::string doubtful;   // what a ring means
+  std::string no_result;  // what the top row says; empty: every point has a result
+  std::string doubtful;   // what a ring means; empty: there is none
   double x_first = 1;
   double x_last = 10;
   std::vector<PlotSeries> series;  // later ones on top

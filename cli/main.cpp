@@ -8,6 +8,7 @@
 
 #include "cli/analyze_command.h"
 #include "cli/command_line.h"
+#include "cli/compare_command.h"
 #include "cli/durable_file.h"
 #include "cli/stability_command.h"
 
@@ -35,6 +36,8 @@ int run(int argc, const char* const* argv) {
     print(asked->text);
   } else if (const auto* stability = std::get_if<sightline::StabilityOptions>(&request)) {
     print(sightline::stability_command(*stability));
+  } else if (const auto* compare = std::get_if<sightline::CompareOptions>(&request)) {
+    print(sightline::compare_command(*compare));
   } else {
     print(sightline::analyze_command(std::get<sightline::AnalyzeOptions>(request)));
   }

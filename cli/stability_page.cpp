@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "cli/html_text.h"
 #include "cli/stability_report.h"
 
 namespace sightline {
@@ -34,20 +35,6 @@ grid explains: the image's points are rounded to it once, in every arithmetic. T
 differ from run to run.</p>
 )";
 
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '&') {
-      result += "&amp;";
-    } else if (c == '<') {
-      result += "&lt;";
-    } else {
-      result += c;
-    }
-  }
-  return result;
-}
-
 std::string table_row(const StabilityRun& run) {
   const auto area = [&](double value) { return run.finished ? fmt::format("{:.3g}", value) : std::string(); };
   return fmt::format(
@@ -55,7 +42,7 @@ std::string table_row(const StabilityRun& run) {
       "class=\"text\">{}</td></tr>\n",
       run.broken.empty() ? "" : " class=\"broken\"", run.value, to_string(run.arithmetic), area(run.area_error),
       area(run.mislabelled_area), run.grid_bound, run.finished ? fmt::format("{:.3f}", 1000 * run.seconds) : "",
-      run.broken.empty() ? "valid" : escaped((run.finished ? "" : "did not finish: ") + run.broken));
+      run.broken.empty() ? "valid" : html_text((run.finished ? "" : "did not finish: ") + run.broken));
 }
 
 std::string table(const FamilyRuns& runs) {

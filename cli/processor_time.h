@@ -5,7 +5,7 @@
 
 #include <ctime>
 
-namespace sightline::bench {
+namespace sightline {
 
 // Of this process, all its threads together.
 class ProcessorTime {
@@ -36,4 +36,4 @@ class ChildrenTime {
   double start_ = now();
 };
 
-}  // namespace sightline::bench
+}  // namespace sightline

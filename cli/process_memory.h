@@ -5,7 +5,7 @@
 
 #include <cstddef>
 
-namespace sightline::bench {
+namespace sightline {
 
 [[nodiscard]] std::size_t resident_bytes();
 
@@ -15,4 +15,4 @@ namespace sightline::bench {
 // Gives back what is free first, so that it is not taken for something held.
 void reset_peak();
 
-}  // namespace sightline::bench
+}  // namespace sightline

@@ -1,4 +1,4 @@
-#include "bench/process_memory.h"
+#include "cli/process_memory.h"
 
 #include <malloc.h>
 
@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace sightline::bench {
+namespace sightline {
 namespace {
 
 std::size_t status_bytes(std::string_view key) {
@@ -29,4 +29,4 @@ void reset_peak() {
   std::ofstream("/proc/self/clear_refs") << 5;
 }
 
-}  // namespace sightline::bench
+}  // namespace sightline

@@ -1,0 +1,26 @@
+// What is exactly visible, as the peers say it: in the window's coordinates, rounded to double.
+#pragma once
+
+#include "peers/errors_of_areas.h"
+#include "peers/seen.h"
+#include "reconstruct/visible_polygons.h"
+
+namespace sightline::peers {
+
+// By face. Polygons below resolution are in it.
+[[nodiscard]] VisibleParts visible_parts(const ProjectedScene& scene, const VisibleSegments& segments,
+                                         const VisiblePolygons& polygons);
+
+struct ExactParts {
+  VisibleParts parts;
+  VisibleLines lines;  // exact_lines.h
+  FaceAreas areas;     // of the faces that are called visible: some polygon of theirs is not below resolution
+};
+
+[[nodiscard]] ExactParts exact_parts(const ProjectedScene& scene, const VisibleSegments& segments,
+                                     const VisiblePolygons& polygons);
+
+// Counter-clockwise positive.
+[[nodiscard]] double signed_area(const std::vector<Point2>& ring);
+
+}  // namespace sightline::peers
