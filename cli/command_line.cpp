@@ -91,26 +91,6 @@ std::uint64_t memory_limit(const std::string& text) {
   return *bytes;
 }
 
-Precision precision_of(const AnalyzeTexts& texts) {
-  Precision precision;
-  if (!texts.arithmetic.empty()) {
-    const auto arithmetic = arithmetic_named(texts.arithmetic);
-    if (!arithmetic) {
-      throw CommandLineError(fmt::format("--arithmetic: '{}' is not float, double or exact", texts.arithmetic));
-    }
-    precision.arithmetic = *arithmetic;
-  }
-  if (!texts.grid_bits.empty()) {
-    const double bits = parsed_number(texts.grid_bits, "--grid-bits");
-    if (bits != std::floor(bits) || bits < smallest_grid_bits || bits > default_grid_bits) {
-      throw CommandLineError(fmt::format("--grid-bits: '{}' is not a whole number from {} to {}", texts.grid_bits,
-                                         smallest_grid_bits, default_grid_bits));
-    }
-    precision.grid_bits = static_cast<int>(bits);
-  }
-  return precision;
-}
-
 Engine engine_of(const AnalyzeTexts& texts) {
   if (texts.engine.empty() || texts.engine == "fast") return Engine::fast;
   if (texts.engine == "full") return Engine::full;
@@ -137,7 +117,7 @@ AnalyzeOptions options_of(const AnalyzeTexts& texts) {
     if (!options.sides) throw CommandLineError(fmt::format("--sides: '{}' is not auto, front or both", texts.sides));
   }
   options.max_memory = memory_limit(texts.max_memory);
-  options.precision = precision_of(texts);
+  options.precision = parsed_precision(texts.arithmetic, texts.grid_bits);
   options.engine = engine_of(texts);
   options.threads = threads_of(texts);
   options.json = texts.json;
@@ -203,6 +183,26 @@ void declare_analyze(CLI::App& analyze, AnalyzeTexts& texts) {
 
 bool AnalyzeOptions::input_is_scene() const { return input.ends_with(".toml") || input.ends_with(".TOML"); }
 
+Precision parsed_precision(const std::string& arithmetic_text, const std::string& grid_bits) {
+  Precision precision;
+  if (!arithmetic_text.empty()) {
+    const auto arithmetic = arithmetic_named(arithmetic_text);
+    if (!arithmetic) {
+      throw CommandLineError(fmt::format("--arithmetic: '{}' is not float, double or exact", arithmetic_text));
+    }
+    precision.arithmetic = *arithmetic;
+  }
+  if (!grid_bits.empty()) {
+    const double bits = parsed_number(grid_bits, "--grid-bits");
+    if (bits != std::floor(bits) || bits < smallest_grid_bits || bits > default_grid_bits) {
+      throw CommandLineError(fmt::format("--grid-bits: '{}' is not a whole number from {} to {}", grid_bits,
+                                         smallest_grid_bits, default_grid_bits));
+    }
+    precision.grid_bits = static_cast<int>(bits);
+  }
+  return precision;
+}
+
 Request parse_command_line(int argc, const char* const* argv) {
   CLI::App app("sightline: exactly which part of every triangle of a surface a camera sees", "sightline");
   app.set_version_flag("--version", "sightline " SIGHTLINE_VERSION);
@@ -214,6 +214,10 @@ Request parse_command_line(int argc, const char* const* argv) {
       "stability", "Measure where float, double and exact arithmetic break, on scenes that go to extremes");
   StabilityTexts stability_texts;
   declare_stability(*stability, stability_texts);
+  CLI::App* trace =
+      app.add_subcommand("trace", "Step through the sweep of one camera, on a page that needs no network");
+  TraceTexts trace_texts;
+  declare_trace(*trace, trace_texts);
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
@@ -224,6 +228,7 @@ Request parse_command_line(int argc, const char* const* argv) {
     throw CommandLineError(error.what());
   }
   if (stability->parsed()) return options_of(stability_texts);
+  if (trace->parsed()) return options_of(trace_texts);
   return options_of(texts);
 }
 

@@ -1,4 +1,4 @@
-// The command line: sightline analyze SCENE.toml|MESH.obj ..., sightline stability ...
+// The command line: sightline analyze SCENE.toml|MESH.obj ..., sightline stability ..., sightline trace ...
 //
 // In:  the arguments. Out: what to do, or a text that was asked for (help, version).
 // Errors: CommandLineError, one line.
@@ -10,6 +10,7 @@
 #include <variant>
 
 #include "cli/scene.h"
+#include "cli/trace_options.h"
 #include "geometry/arithmetic.h"
 #include "geometry/errors.h"
 #include "sweep/engine.h"
@@ -46,8 +47,11 @@ struct RequestedText {
   std::string text;
 };
 
-using Request = std::variant<AnalyzeOptions, StabilityOptions, RequestedText>;
+using Request = std::variant<AnalyzeOptions, StabilityOptions, TraceOptions, RequestedText>;
 
 [[nodiscard]] Request parse_command_line(int argc, const char* const* argv);
+
+// Of the options --arithmetic and --grid-bits; empty: the default.
+[[nodiscard]] Precision parsed_precision(const std::string& arithmetic, const std::string& grid_bits);
 
 }  // namespace sightline

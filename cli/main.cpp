@@ -10,6 +10,7 @@
 #include "cli/command_line.h"
 #include "cli/durable_file.h"
 #include "cli/stability_command.h"
+#include "cli/trace_command.h"
 
 namespace {
 
@@ -35,6 +36,8 @@ int run(int argc, const char* const* argv) {
     print(asked->text);
   } else if (const auto* stability = std::get_if<sightline::StabilityOptions>(&request)) {
     print(sightline::stability_command(*stability));
+  } else if (const auto* trace = std::get_if<sightline::TraceOptions>(&request)) {
+    print(sightline::trace_command(*trace));
   } else {
     print(sightline::analyze_command(std::get<sightline::AnalyzeOptions>(request)));
   }

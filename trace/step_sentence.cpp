@@ -13,9 +13,7 @@ std::string name_of(EdgeId edge, const SweepLog& log) {
   return name_of_edge(log.point_names[e.top.index()], log.point_names[e.bottom.index()]);
 }
 
-std::string name_of(FacetId facet, const SweepLog& log) {
-  return log.face_names[log.face_of[facet.index()].index()];
-}
+std::string name_of(FacetId facet, const SweepLog& log) { return log.face_names[log.face_of[facet.index()].index()]; }
 
 template <class Ids>
 std::string names_of(const Ids& ids, const SweepLog& log) {
@@ -37,17 +35,16 @@ std::string edges_that(const std::vector<EdgeId>& edges, const SweepLog& log, co
 }
 
 std::string of_crossing(const SweepStep& step, const SweepLog& log) {
-  if (step.passed.size() == 2)
-    return step.name + " is a crossing: " + names_of(step.passed, log) + " change places.";
+  if (step.passed.size() == 2) return step.name + " is a crossing: " + names_of(step.passed, log) + " change places.";
   return step.name + " is a crossing of several edges: " + names_of(step.passed, log) + " turn round.";
 }
 
 std::string of_vertex(const SweepStep& step, const SweepLog& log) {
   std::string text = step.name + " is a " + to_string(step.kind) + " vertex: ";
   if (step.kind == PointKind::top) {
-    text += step.started.empty() ? "nothing starts here"
-                                 : "no edge ends here, so its place is searched; " +
-                                       edges_that(step.started, log, "starts", "start");
+    text += step.started.empty()
+                ? "nothing starts here"
+                : "no edge ends here, so its place is searched; " + edges_that(step.started, log, "starts", "start");
   } else if (step.kind == PointKind::side) {
     text += edges_that(step.ended, log, "ends", "end") + ", and " + edges_that(step.started, log, "starts", "start") +
             " in its place";
@@ -77,9 +74,8 @@ bool is_behind(FacetId front, const SweepStep& step, const SweepLog& log) {
   for (const auto* edges : {&step.ended, &step.started, &step.passed}) {
     if (std::any_of(edges->begin(), edges->end(), [&](EdgeId e) { return has_side(e, front, log); })) return false;
   }
-  return std::all_of(step.inserted.begin(), step.inserted.end(), [](const LoggedBundle& bundle) {
-    return bundle.left_segment == 0 && bundle.right_segment == 0;
-  });
+  return std::all_of(step.inserted.begin(), step.inserted.end(),
+                     [](const LoggedBundle& bundle) { return bundle.left_segment == 0 && bundle.right_segment == 0; });
 }
 
 std::string of_nothing_seen(const SweepStep& step, const SweepLog& log, std::span<const LoggedBundle> after) {

@@ -47,9 +47,9 @@ struct Operand {
 
 // A decision behind a step.
 struct LoggedPredicate {
-  std::string question;     // side | direction | order | depth
-  std::string says;         // the answer in words
-  std::string formula;      // of the operands
+  std::string question;  // side | direction | order | depth
+  std::string says;      // the answer in words
+  std::string formula;   // of the operands
   std::vector<Operand> operands;
   Sign sign = 0;
   std::optional<Sign> exact_sign;  // where the sweep's arithmetic is not exact and got it wrong
@@ -68,10 +68,11 @@ struct SweepStep {
   std::vector<LoggedBundle> inserted;
   std::vector<SegmentNumber> opened, closed;
   std::vector<EmittedVertex> vertices;
-  std::vector<FacetId> appeared, vanished;  // surfaces that are topmost at the point below it and not above, or the reverse
-  std::optional<SegmentNumber> thread;      // what starts here may be a hole: this segment is left of it
-  std::vector<std::size_t> rings;           // that close here
-  std::vector<SweepPlace> upcoming;         // the event queue's first entries
+  std::vector<FacetId> appeared,
+      vanished;                         // surfaces that are topmost at the point below it and not above, or the reverse
+  std::optional<SegmentNumber> thread;  // what starts here may be a hole: this segment is left of it
+  std::vector<std::size_t> rings;       // that close here
+  std::vector<SweepPlace> upcoming;     // the event queue's first entries
   std::vector<LoggedPredicate> predicates;
 };
 

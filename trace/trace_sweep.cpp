@@ -34,10 +34,14 @@ void add_rings(const Mesh& mesh, const VisibleSegments& segments, SweepLog& log)
 
 const char* to_string(PointKind kind) {
   switch (kind) {
-    case PointKind::top: return "top";
-    case PointKind::side: return "side";
-    case PointKind::bottom: return "bottom";
-    case PointKind::crossing: return "crossing";
+    case PointKind::top:
+      return "top";
+    case PointKind::side:
+      return "side";
+    case PointKind::bottom:
+      return "bottom";
+    case PointKind::crossing:
+      return "crossing";
   }
   return "";
 }
