@@ -133,6 +133,8 @@ Json step_json(const SweepStep& step) {
                {"vertices", list_json(step.vertices, emitted_json)},
                {"appeared", as_json(step.appeared)},
                {"vanished", as_json(step.vanished)},
+               {"surfaced", as_json(step.surfaced)},
+               {"covered", as_json(step.covered)},
                {"thread", number_json(step.thread.value_or(0))},
                {"rings", step.rings},
                {"queue", list_json(step.upcoming, place_json)},

@@ -24,38 +24,47 @@ Polygon rectangle(double z, const Point2& low, const Point2& high) {
   return at_height(z, {low, {high.x, low.y}, high, {low.x, high.y}});
 }
 
-// Vertices by letters in the order in which the faces bring them; equal positions are one vertex.
+std::string letter(std::size_t number) { return {static_cast<char>('A' + number)}; }
+
+// Letters for vertices, and faces by their corners.
+SceneNames letters_for(const Mesh& mesh) {
+  SceneNames names;
+  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) names.vertices.push_back(letter(v));
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    names.faces.emplace_back();
+    for (const VertexId corner : mesh.faces[f]) names.faces.back() += letter(corner.index());
+  }
+  return names;
+}
+
+// Vertices are numbered in the order in which the faces bring them; equal positions are one vertex.
 class Draft {
  public:
   void add(const Polygon& polygon) {
     std::vector<VertexId> corners;
-    std::string name;
-    for (const Point3& p : polygon) {
-      corners.push_back(vertex_at(p));
-      name += names_.vertices[corners.back().index()];
-    }
+    for (const Point3& p : polygon) corners.push_back(vertex_at(p));
     faces_.push_back(corners);
-    names_.faces.push_back(name);
   }
   // Seen from above: the page is the square from (0, 0) to (16, 16).
   [[nodiscard]] TraceScene on_page() const {
     const Mesh mesh = build_mesh(vertices_, faces_);
     const ViewPoint from_above{{8, 8, 10}, {8, 8, 0}, {0, 1, 0}, 1, {}, {}};
-    return {cut_along_common_lines(mesh, find_contacts(mesh)), orthographic_camera("page", from_above, 16), names_, {}};
+    return {cut_along_common_lines(mesh, find_contacts(mesh)),
+            orthographic_camera("page", from_above, 16),
+            letters_for(mesh),
+            {}};
   }
 
  private:
   VertexId vertex_at(const Point3& p) {
     const auto found = std::find(vertices_.begin(), vertices_.end(), p);
     if (found != vertices_.end()) return VertexId(static_cast<std::size_t>(found - vertices_.begin()));
-    names_.vertices.emplace_back(1, static_cast<char>('A' + vertices_.size()));
     vertices_.push_back(p);
     return VertexId(vertices_.size() - 1);
   }
 
   std::vector<Point3> vertices_;
   PolygonList faces_;
-  SceneNames names_;
 };
 
 TraceScene page_of(const std::vector<Polygon>& faces) {
@@ -125,12 +134,14 @@ TraceScene float_in(const char* family_name, double value) {
   const auto& all = stability_families();
   const auto family = std::find_if(all.begin(), all.end(), [&](const auto& f) { return f.name == family_name; });
   StabilityScene scene = family->make(value);
-  return {std::move(scene.mesh), scene.camera, {}, {Arithmetic::single_precision, scene.grid_bits}};
+  SceneNames names = letters_for(scene.mesh);
+  return {std::move(scene.mesh), scene.camera, std::move(names), {Arithmetic::single_precision, scene.grid_bits}};
 }
 
 TraceScene float_is_wrong() { return float_in("depth_gap", std::ldexp(1.0, -30)); }
 
-TraceScene float_stops() { return float_in("offset", 1e9); }
+// A field of view of 10^-5 degrees.
+TraceScene float_stops() { return float_in("field_of_view", std::tan(0.5e-5 * std::acos(-1.0) / 180)); }
 
 }  // namespace
 
@@ -169,8 +180,8 @@ const std::vector<TraceExample>& trace_examples() {
        "wrong without a sign of it. Exact arithmetic beside it.",
        float_is_wrong},
       {"float-stops", "Where float stops",
-       "Five faces, 10^9 units away from the origin. In float the sweep meets a contradiction and ends. Exact "
-       "arithmetic beside it.",
+       "Four triangles through a field of view of 10^-5 degrees. In float the sweep meets a contradiction and ends. "
+       "Exact arithmetic beside it.",
        float_stops},
   };
   return all;

@@ -127,10 +127,16 @@ Sign StepPredicates::add_direction(EdgeId a, EdgeId b) {
 
 // Edges that come nearer to each other cross where the one that ends first ends beyond the other.
 void StepPredicates::add_meeting(EdgeId left, EdgeId right) {
-  if (add_direction(left, right) >= 0) return;
+  if (add_direction(left, right) >= 0) {
+    found_.back().says += ": they do not come nearer to each other";
+    return;
+  }
   const PointId left_end = scene_.edge(left).bottom;
   const PointId right_end = scene_.edge(right).bottom;
-  if (left_end == right_end) return;
+  if (left_end == right_end) {
+    found_.back().says += ": they meet where both end";
+    return;
+  }
   const bool left_first = left_end < right_end;
   const Sign side = left_first ? add_side(right, left_end) : add_side(left, right_end);
   found_.back().says += (left_first ? side > 0 : side < 0) ? ": they cross further down" : ": they do not cross";

@@ -91,6 +91,8 @@ std::string of_visibility(const SweepStep& step, const SweepLog& log, std::span<
     text += " " + names_of(step.appeared, log) + verb(step.appeared.size(), " comes", " come") + " into view here.";
   if (!step.vanished.empty())
     text += " " + names_of(step.vanished, log) + verb(step.vanished.size(), " goes", " go") + " out of view here.";
+  if (!step.covered.empty()) text += " From here on " + edges_that(step.covered, log, "is hidden.", "are hidden.");
+  if (!step.surfaced.empty()) text += " From here on " + edges_that(step.surfaced, log, "is seen.", "are seen.");
   const bool nothing = step.opened.empty() && step.closed.empty();
   return nothing && text.empty() ? of_nothing_seen(step, log, after) : text;
 }

@@ -69,10 +69,11 @@ struct SweepStep {
   std::vector<SegmentNumber> opened, closed;
   std::vector<EmittedVertex> vertices;
   std::vector<FacetId> appeared,
-      vanished;                         // surfaces that are topmost at the point below it and not above, or the reverse
-  std::optional<SegmentNumber> thread;  // what starts here may be a hole: this segment is left of it
-  std::vector<std::size_t> rings;       // that close here
-  std::vector<SweepPlace> upcoming;     // the event queue's first entries
+      vanished;  // surfaces that are topmost at the point below it and not above, or the reverse
+  std::vector<EdgeId> surfaced, covered;  // edges that go on, and are seen from here on, or no longer
+  std::optional<SegmentNumber> thread;    // what starts here may be a hole: this segment is left of it
+  std::vector<std::size_t> rings;         // that close here
+  std::vector<SweepPlace> upcoming;       // the event queue's first entries
   std::vector<LoggedPredicate> predicates;
 };
 

@@ -34,6 +34,14 @@ std::vector<EdgeId> edges_of(std::span<const LoggedBundle> bundles) {
   return edges;
 }
 
+// Whether a visible segment runs along it.
+bool is_seen(EdgeId edge, std::span<const LoggedBundle> bundles) {
+  return std::any_of(bundles.begin(), bundles.end(), [&](const LoggedBundle& bundle) {
+    const bool seen = bundle.left_segment != 0 || bundle.right_segment != 0;
+    return seen && std::find(bundle.edges.begin(), bundle.edges.end(), edge) != bundle.edges.end();
+  });
+}
+
 bool contains(const std::vector<EdgeId>& edges, EdgeId edge) {
   return std::find(edges.begin(), edges.end(), edge) != edges.end();
 }
@@ -56,6 +64,7 @@ void SweepRecorder::look(const SweepState& state) {
   find_segments(state.so_far(), step);
   find_thread(state.so_far(), step);
   find_visibility(step);
+  find_covered_edges(step);
   step.predicates = predicates_.of(step, active_, after);
   step.says = sentence_of(step, log_, after);
   active_ = std::move(after);
@@ -168,6 +177,16 @@ void SweepRecorder::find_visibility(SweepStep& step) const {
   below.insert(FacetId());
   std::set_difference(below.begin(), below.end(), above.begin(), above.end(), std::back_inserter(step.appeared));
   std::set_difference(above.begin(), above.end(), below.begin(), below.end(), std::back_inserter(step.vanished));
+}
+
+void SweepRecorder::find_covered_edges(SweepStep& step) const {
+  const auto above = std::span(active_).subspan(step.position, step.removed);
+  for (const EdgeId edge : step.passed) {
+    const bool was_seen = is_seen(edge, above);
+    const bool seen_below = is_seen(edge, step.inserted);
+    if (was_seen && !seen_below) step.covered.push_back(edge);
+    if (!was_seen && seen_below) step.surfaced.push_back(edge);
+  }
 }
 
 FacetId SweepRecorder::topmost_surface(const LoggedBundle& bundle) const {

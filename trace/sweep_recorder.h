@@ -40,6 +40,7 @@ class SweepRecorder : public SweepObserver {
   [[nodiscard]] std::string emit_vertex(FacetId surface, SweepStep& step) const;
   void find_thread(const VisibleSegments& so_far, SweepStep& step);
   void find_visibility(SweepStep& step) const;
+  void find_covered_edges(SweepStep& step) const;
   [[nodiscard]] FacetId topmost_surface(const LoggedBundle& bundle) const;
 
   const Mesh& mesh_;

@@ -33,9 +33,9 @@ function showDifference() {
     return;
   }
   const link = element("a", { href: `#step=${step}` }, `step ${step}`);
-  const says = (s) => element("p", { class: s === sweep() ? "says shown" : "says" }, element("b", {}, s.arithmetic), ": ",
-    s.steps[state.step]?.says ?? "the sweep has ended.");
-  const beside = state.step < step ? [] : [says(a), says(b)];
+  const other = sweep() === a ? b : a;
+  const beside = state.step < step ? [] : [element("p", { class: "says" }, element("b", {}, other.arithmetic),
+    ` at step ${state.step}: ${other.steps[state.step]?.says ?? "the sweep has ended."}`)];
   byId("difference").replaceChildren(element("p", {}, `${a.arithmetic} and ${b.arithmetic} first differ at `, link, "."), ...beside);
 }
 

@@ -43,50 +43,57 @@ function decidedRegions(sweep, view, step) {
     .map(([face, d]) => drawn("path", { d, class: `region face-${face % 8}`, "data-keys": `face-${face}` }));
 }
 
-function line(sweep, view, edge, from, to, properties) {
-  const [y1, y2] = [from, to];
-  const p = { x: sweep.xAt(edge, y1), y: y1 };
-  const q = { x: sweep.xAt(edge, y2), y: y2 };
+function straight(view, p, q, properties) {
   return drawn("line", { x1: view.x(p.x), y1: view.y(p.y), x2: view.x(q.x), y2: view.y(q.y), ...properties });
 }
 
-// An edge from one end to the other; xAt cannot tell the two ends of a horizontal one.
-function edgeLine(sweep, view, id, state) {
+// Above the sweep line, where no visible segment covers it, an edge is hidden; below it waits.
+function edgeLine(sweep, view, id, step, state) {
   const [p, q] = [sweep.points[sweep.edges[id].upper], sweep.points[sweep.edges[id].lower]];
-  return drawn("line", { x1: view.x(p.x), y1: view.y(p.y), x2: view.x(q.x), y2: view.y(q.y),
-    class: `edge-line ${state}`, "data-keys": `edge-${id}` });
+  const drawnAs = (name) => ({ class: `edge-line ${name}`, "data-keys": `edge-${id}` });
+  if (state !== "active") return [straight(view, p, q, drawnAs(state))];
+  const y = sweep.steps[step].y;
+  const here = { x: sweep.xAt(id, y), y };
+  return [straight(view, p, here, drawnAs("swept")), straight(view, here, q, drawnAs("active"))];
 }
 
 function edgeLines(sweep, view, step) {
   const active = new Set(sweep.lists[step].flatMap((bundle) => bundle.edges));
-  const done = new Set(sweep.steps.slice(1, step + 1).flatMap((s) => s.ended));
-  return sweep.edges.map((_, id) => edgeLine(sweep, view, id, active.has(id) ? "active" : done.has(id) ? "done" : "waiting"));
+  const ended = new Set(sweep.steps.slice(1, step + 1).flatMap((s) => s.ended));
+  return sweep.edges.flatMap((_, id) =>
+    edgeLine(sweep, view, id, step, active.has(id) ? "active" : ended.has(id) ? "swept" : "waiting"));
 }
 
-// A segment from its upper end to its lower one, or to the sweep line, beside its edge on the side of its face.
-function segmentLine(sweep, view, number, step) {
-  const segment = sweep.segments[number - 1];
+// From its start to its end, or, while it is open, to the sweep line.
+function endsOfSegment(sweep, view, segment, step) {
   const closed = segment.closed !== null && segment.closed <= step;
   const [upper, lower] = [sweep.steps[segment.opened], sweep.steps[closed ? segment.closed : step]];
   const lowerX = closed ? lower.x : sweep.xAt(segment.edge, lower.y);
-  const ends = [[view.x(upper.x), view.y(upper.y)], [view.x(lowerX), view.y(lower.y)]];
-  if (segment.upwards) ends.reverse();
-  const [[x1, y1], [x2, y2]] = ends;
-  const length = Math.hypot(x2 - x1, y2 - y1);
-  if (length < 1e-9) return null;
-  const [dx, dy] = [((y2 - y1) / length) * offset, (-(x2 - x1) / length) * offset];
+  const ends = [{ x: view.x(upper.x), y: view.y(upper.y) }, { x: view.x(lowerX), y: view.y(lower.y) }];
+  return segment.upwards ? ends.reverse() : ends;
+}
+
+// Beside its edge, on the side of its face: that is on its left.
+function segmentLine(sweep, view, number, step, numbered) {
+  const segment = sweep.segments[number - 1];
+  const [start, end] = endsOfSegment(sweep, view, segment, step);
+  const length = Math.hypot(end.x - start.x, end.y - start.y);
+  if (length < 1e-9) return [];
+  const left = { x: (end.y - start.y) / length, y: -(end.x - start.x) / length };
   const face = sweep.faceOfSurface(segment.surface);
-  return drawn("line", { x1: x1 + dx, y1: y1 + dy, x2: x2 + dx, y2: y2 + dy,
-    class: `segment-line face-${face % 8}${closed ? "" : " open"}`, "marker-end": closed || !segment.upwards ? "url(#arrow)" : null,
-    "data-keys": `segment-${number} edge-${segment.edge} face-${face}` });
+  const keys = { "data-keys": `segment-${number} edge-${segment.edge} face-${face}` };
+  const line = drawn("line", { x1: start.x + left.x * offset, y1: start.y + left.y * offset, x2: end.x + left.x * offset,
+    y2: end.y + left.y * offset, class: `segment-line face-${face % 8}`, "marker-end": "url(#arrow)", ...keys });
+  if (!numbered || length < 50) return [line];
+  const label = drawn("text", { x: (start.x + end.x) / 2 + left.x * 22, y: (start.y + end.y) / 2 + left.y * 22 + 7,
+    class: `segment-number face-${face % 8}`, ...keys }, String(number));
+  return [line, label];
 }
 
 function segmentLines(sweep, view, step) {
-  const lines = [];
-  sweep.segments.forEach((segment, i) => {
-    if (segment.opened <= step) lines.push(segmentLine(sweep, view, i + 1, step));
-  });
-  return lines.filter((found) => found);
+  const numbered = sweep.segments.length <= mostNames;
+  return sweep.segments.flatMap((segment, i) =>
+    segment.opened <= step ? segmentLine(sweep, view, i + 1, step, numbered) : []);
 }
 
 // Where a name does not cover what meets at the point: away from the middle of the scene.

@@ -57,6 +57,7 @@ export function showActive(sweep, step) {
     activeRow(sweep, bundle, step > 0 && i >= position && i < position + inserted.length));
   show("active", rows.length ? table(["Edges", "Left", "Right", "Faces to the right, shallowest first"], rows)
     : element("p", { class: "none" }, "Empty."));
+  scrollTo("active", ".fresh");
 }
 
 function cellsOf(sweep, step, surface) {
