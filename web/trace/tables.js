@@ -88,10 +88,11 @@ function tableByPolygon(sweep, step, surfaces) {
 }
 
 export function showPolygons(sweep, step) {
+  const all = sweep.surfacesUntil(sweep.last);
   const surfaces = sweep.surfacesUntil(step);
-  const progressive = sweep.surfacesUntil(sweep.last).length <= mostColumns && sweep.last <= mostRows;
   if (surfaces.length === 0) return show("polygons", element("p", { class: "none" }, "None yet."));
-  show("polygons", (progressive ? progressiveTable : tableByPolygon)(sweep, step, surfaces));
+  const progressive = all.length <= mostColumns && sweep.last <= mostRows;
+  show("polygons", progressive ? progressiveTable(sweep, step, all) : tableByPolygon(sweep, step, surfaces));
   scrollTo("polygons", ".current");
 }
 
