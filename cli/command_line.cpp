@@ -23,6 +23,7 @@ constexpr int most_threads = 1024;
 // The options as texts: numbers are parsed here and not by CLI11, which goes through the locale.
 struct AnalyzeTexts {
   std::string input, output, sides, eye, target, up, fov_y, aspect, arithmetic, grid_bits, engine, threads, max_memory;
+  bool report_page = false;
   bool json = false;
   bool quiet = false;
 };
@@ -112,6 +113,7 @@ AnalyzeOptions options_of(const AnalyzeTexts& texts) {
   if (!texts.output.empty()) options.output = texts.output;
   if (!options.output && !texts.json)
     throw CommandLineError("give -o DIR for the results, or --json for the report alone");
+  if (!options.output && texts.report_page) throw CommandLineError("--report needs -o DIR: report.html goes there");
   if (!texts.sides.empty()) {
     options.sides = sides_policy(texts.sides);
     if (!options.sides) throw CommandLineError(fmt::format("--sides: '{}' is not auto, front or both", texts.sides));
@@ -120,6 +122,7 @@ AnalyzeOptions options_of(const AnalyzeTexts& texts) {
   options.precision = parsed_precision(texts.arithmetic, texts.grid_bits);
   options.engine = engine_of(texts);
   options.threads = threads_of(texts);
+  options.report_page = texts.report_page;
   options.json = texts.json;
   options.quiet = texts.quiet;
   if (options.input_is_scene()) {
@@ -175,8 +178,12 @@ void declare_analyze(CLI::App& analyze, AnalyzeTexts& texts) {
       ->type_name("DIR");
   analyze.add_option("--max-memory", texts.max_memory, "stop where more is needed (3/4 of the machine's memory)")
       ->type_name("BYTES[K|M|G|T]");
+  analyze.add_flag("--report", texts.report_page, "write report.html, too: the results in 3D, in one page");
   analyze.add_flag("--json", texts.json, "print the report on standard output");
   analyze.add_flag("--quiet", texts.quiet, "neither progress nor summary");
+  analyze.footer(
+      "Examples: sightline analyze fixtures/demo/scene.toml -o out --report\n"
+      "          sightline analyze bunny.obj --eye 0,1,3 --target 0,0.1,0 --fov-y 30 -o out");
 }
 
 }  // namespace

@@ -30,6 +30,7 @@ struct AnalyzeOptions {
   Precision precision;
   Engine engine = Engine::fast;
   std::size_t threads = 1;
+  bool report_page = false;  // needs output
   bool json = false;
   bool quiet = false;
 
