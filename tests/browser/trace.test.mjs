@@ -1,9 +1,12 @@
-// The page of `sightline trace` in a real browser, opened from disk: Fang's tables row by row, every way to step, "What
-// next?", keyboard, phone, contrast, colours. Needs SIGHTLINE_COMMAND and SIGHTLINE_WEB_DIR (see trace_visit.mjs).
+// The page of `sightline trace` in a browser: Fang's tables row by row, every way to step, "What next?", keyboard, phone,
+// contrast, colours, names.
 import assert from "node:assert/strict";
+import { writeFileSync } from "node:fs";
+import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { closeBrowser, openBrowser, tracePage, visit } from "./trace_visit.mjs";
-import { colourDistances, poorContrasts } from "./trace_colours.mjs";
+import { difference, eyes, seenBy } from "./colour_science.mjs";
+import { assertContrast, assertNoSidewaysScrolling } from "./legible.mjs";
+import { desktop, phone, runSightline, startBrowser, temporaryFolder, withPage } from "./page_case.mjs";
 
 const table52 = [
   ["O", "o", "1, 2", "", ""],
@@ -20,10 +23,29 @@ const table52 = [
   ["Q", "o, f, d', g, c', p, h, i, q", "1, 2, 5, 8, 9, 10, 12, 13, 14", "e, a, d, c, b", "3, 4, 6, 7, 11"],
 ];
 const table54 = ["o f", "q o", "e a", "d e", "f d'", "a b", "c d", "d' c'", "g p", "h g", "b c", "c' i", "p h", "i q"];
-const fang = ["--example", "fang"];
 
-before(openBrowser);
-after(closeBrowser);
+const folder = temporaryFolder();
+let browser;
+before(async () => (browser = await startBrowser()));
+after(() => browser.close());
+
+function traced(name, ...scene) {
+  const file = join(folder, `${name}.html`);
+  runSightline("trace", ...scene, "-o", file);
+  return file;
+}
+
+const example = (name) => traced(name, "--example", name);
+const isReady = () => document.getElementById("place").textContent !== "";
+
+// The page at a step, by its link.
+function onStep(file, step, test, viewport = desktop) {
+  return withPage(browser, file, { viewport, ready: isReady }, async (page) => {
+    await page.goto(`${page.url().split("#")[0]}#step=${step}`);
+    await page.waitForFunction((s) => document.getElementById("place").textContent.startsWith(`Step ${s} `), step);
+    await test(page);
+  });
+}
 
 const placeOf = (page) => page.locator("#place").innerText();
 const pointOf = (page) => page.locator("#sentence .headline b").innerText();
@@ -32,7 +54,7 @@ const rowsOf = (page, section) =>
     rows.map((row) => [...row.cells].map((cell) => cell.textContent)));
 
 test("each row of table 5.2 as the sweep goes by", async () => {
-  await visit(tracePage(fang), {}, async (page) => {
+  await onStep(example("fang"), 0, async (page) => {
     for (let step = 1; step <= table52.length; ++step) {
       await page.click("#forward");
       assert.deepEqual(await rowsOf(page, "polygons"), table52.slice(0, step));
@@ -42,7 +64,7 @@ test("each row of table 5.2 as the sweep goes by", async () => {
 });
 
 test("each row of table 5.4 at the end, open ends before", async () => {
-  await visit(tracePage(fang), { hash: "#step=1" }, async (page) => {
+  await onStep(example("fang"), 1, async (page) => {
     assert.deepEqual(await rowsOf(page, "segments"), [["1", "OPQ", "o", "?"], ["2", "OPQ", "?", "o"]]);
     await page.click("#last");
     const rows = await rowsOf(page, "segments");
@@ -54,7 +76,7 @@ test("each row of table 5.4 at the end, open ends before", async () => {
 });
 
 test("the active edge list has its node lists, the event queue what comes next", async () => {
-  await visit(tracePage(fang), { hash: "#step=6" }, async (page) => {
+  await onStep(example("fang"), 6, async (page) => {
     assert.deepEqual(await rowsOf(page, "active"), [["OP", "–", "9", "OPQ"], ["AB", "10", "6", "ABCDE, OPQ"],
       ["DC", "7", "8", "OPQ"], ["OQ", "2", "–", "nothing"]]);
     assert.deepEqual(await page.locator("#queue li b").allInnerTexts(), ["C", "P", "B", "Q"]);
@@ -62,7 +84,7 @@ test("the active edge list has its node lists, the event queue what comes next",
 });
 
 test("buttons, keys, slider and link lead to the same steps", async () => {
-  await visit(tracePage(fang), { hash: "#step=5" }, async (page) => {
+  await onStep(example("fang"), 5, async (page) => {
     assert.equal(await pointOf(page), "D");
     const after = async (act, place) => { await act(); assert.equal(await placeOf(page), `Step ${place} of 12`); };
     await after(() => page.keyboard.press("ArrowRight"), 6);
@@ -79,7 +101,7 @@ test("buttons, keys, slider and link lead to the same steps", async () => {
 });
 
 test("play goes on by itself and stops at the end", async () => {
-  await visit(tracePage(fang), { hash: "#step=10" }, async (page) => {
+  await onStep(example("fang"), 10, async (page) => {
     await page.selectOption("#pace", "500");
     await page.locator("#scene-heading").click();
     await page.keyboard.press(" ");
@@ -90,7 +112,7 @@ test("play goes on by itself and stops at the end", async () => {
 });
 
 test("What next? hides the next step until its point is picked, and says why", async () => {
-  await visit(tracePage(fang), { hash: "#step=5" }, async (page) => {
+  await onStep(example("fang"), 5, async (page) => {
     await page.check("#quiz-mode");
     assert.equal(await page.locator("#forward").isDisabled(), true);
     await page.keyboard.press("End");
@@ -107,7 +129,7 @@ test("What next? hides the next step until its point is picked, and says why", a
 });
 
 test("what is pointed at in one view is lit in the others", async () => {
-  await visit(tracePage(fang), { hash: "#step=6" }, async (page) => {
+  await onStep(example("fang"), 6, async (page) => {
     await page.locator("#active tbody tr").nth(1).locator(".edge").hover();
     assert.ok((await page.locator("#drawing .edge-line.lit").count()) > 0);
     assert.ok((await page.locator("#segments tr.lit").count()) > 0);
@@ -119,7 +141,7 @@ test("what is pointed at in one view is lit in the others", async () => {
 });
 
 test("the predicates behind a step have operands, sign, and what decided", async () => {
-  await visit(tracePage(fang), { hash: "#step=3" }, async (page) => {
+  await onStep(example("fang"), 3, async (page) => {
     await page.click("#predicates summary");
     const first = await page.locator("#predicates li").first().innerText();
     assert.match(first, /order F comes before A: higher\. Sign −, decided by integers/);
@@ -128,7 +150,7 @@ test("the predicates behind a step have operands, sign, and what decided", async
 });
 
 test("float beside exact: the first step at which they differ, and wrong signs", async () => {
-  await visit(tracePage(["--example", "float-wrong"]), {}, async (page) => {
+  await onStep(example("float-wrong"), 0, async (page) => {
     await page.click("#difference a");
     await page.waitForFunction(() => /^Step [1-9]/.test(document.getElementById("place").textContent));
     assert.match(await page.locator("#difference .says").innerText(), /^exact at step/);
@@ -140,7 +162,7 @@ test("float beside exact: the first step at which they differ, and wrong signs",
 });
 
 test("the keyboard alone reaches everything and steps through", async () => {
-  await visit(tracePage(fang), { hash: "#step=4" }, async (page) => {
+  await onStep(example("fang"), 4, async (page) => {
     const reached = new Set();
     for (let i = 0; i < 24; ++i) {
       await page.keyboard.press("Tab");
@@ -157,30 +179,55 @@ test("the keyboard alone reaches everything and steps through", async () => {
   });
 });
 
-for (const [name, width, height] of [["1280 x 720", 1280, 720], ["a phone", 390, 844]]) {
-  test(`at ${name} nothing is wider than the window, and texts have the contrast of WCAG AA`, async () => {
-    await visit(tracePage(["--example", "hole"]), { width, height, hash: "#step=7" }, async (page) => {
+for (const [name, viewport] of Object.entries({ desktop, phone })) {
+  test(`on a ${name} nothing is wider than the window, and texts have the contrast of WCAG AA`, async () => {
+    await onStep(example("hole"), 7, async (page) => {
       await page.click("#predicates summary");
-      const [wide, high] = await page.evaluate(() => [document.documentElement.scrollWidth, document.documentElement.scrollHeight]);
-      assert.ok(wide <= width, `${wide}`);
-      if (width > 1000) assert.ok(high <= height, `${high}`);
-      assert.deepEqual(await page.evaluate(poorContrasts), []);
+      await assertNoSidewaysScrolling(page);
+      await assertContrast(page, 100);
       await page.check("#quiz-mode");
-      assert.deepEqual(await page.evaluate(poorContrasts), []);
-    });
+      await assertContrast(page, 100);
+    }, viewport);
   });
 }
 
-test("colours of faces differ for those who do not see red or green, and each has its name", async () => {
-  await visit(tracePage(["--example", "many-through-one"]), { hash: "#step=20" }, async (page) => {
-    for (const { kind, nearest } of await page.evaluate(colourDistances)) assert.ok(nearest > 20, `${kind}: ${nearest}`);
+test("on a desktop the page needs no scrolling at all", async () => {
+  await onStep(example("float-wrong"), 12, async (page) => {
+    const high = await page.evaluate(() => document.documentElement.scrollHeight);
+    assert.ok(high <= desktop.height, `${high}`);
+  });
+});
+
+// In the page: the backgrounds of names of faces.
+function chipColours() {
+  const probe = document.body.appendChild(document.createElement("span"));
+  const colours = [0, 1, 2, 3, 4, 5, 6, 7].map((i) => {
+    probe.className = `chip face-${i}`;
+    return getComputedStyle(probe).backgroundColor.match(/\d+/g).map((c) => c / 255);
+  });
+  probe.remove();
+  return colours;
+}
+
+test("the colours of faces differ by 20 in L*a*b* to every eye, and each comes with a name", async () => {
+  await onStep(example("many-through-one"), 20, async (page) => {
+    const colours = await page.evaluate(chipColours);
+    for (const [name, eye] of Object.entries(eyes)) {
+      colours.forEach((a, i) => colours.slice(0, i).forEach((b, j) => {
+        const apart = difference(seenBy(eye, a), seenBy(eye, b));
+        assert.ok(apart >= 20, `${name}: ${i} and ${j}: ${apart.toFixed(1)}`);
+      }));
+    }
     for (const text of await page.locator(".chip").allInnerTexts()) assert.match(text, /^[A-Z]{3}$/);
   });
 });
 
 test("a hostile name stays text", async () => {
   const name = "<img src=x onerror=document.title='run'><script>document.title='run'<\u2215script>.toml";
-  await visit(tracePage({ file: name }), {}, async (page) => {
+  writeFileSync(join(folder, "one.obj"), "v 0 0 0\nv 4 0 0\nv 0 4 0\nf 1 2 3\n");
+  writeFileSync(join(folder, name), '[mesh]\nfile = "one.obj"\n[[camera]]\nname = "view"\neye = [1, 1, 9]\n' +
+    "target = [1, 1, 0]\nup = [0, 1, 0]\northographic_height = 9.0\n");
+  await onStep(traced("hostile", join(folder, name)), 1, async (page) => {
     assert.ok((await page.locator("#title").innerText()).endsWith(name));
     assert.ok((await page.title()).includes(name));
     assert.equal(await page.locator("img").count(), 0);
