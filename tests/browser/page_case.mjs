@@ -83,6 +83,11 @@ export async function withPage(browser, file, { viewport = desktop, ready }, tes
 
 // Of an element, when nothing moves in it any more.
 export async function picture(page, selector) {
-  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
-  return page.locator(selector).screenshot();
+  let last = await page.locator(selector).screenshot();
+  for (;;) {
+    await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+    const next = await page.locator(selector).screenshot();
+    if (next.equals(last)) return next;
+    last = next;
+  }
 }

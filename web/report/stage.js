@@ -30,7 +30,6 @@ export class Stage {
     this.controls?.dispose();
     this.controls = new OrbitControls(this.viewer, this.canvas);
     this.controls.addEventListener("change", () => this.draw());
-    this.controls.addEventListener("start", () => this.lookThrough(null));
     this.reset();
   }
 
@@ -54,10 +53,11 @@ export class Stage {
     this.draw();
   }
 
-  // null: the viewer's own camera again.
+  // null: the viewer's own camera again. Only that one can be dragged, so that a click on a face stays one.
   lookThrough(camera) {
     if (this.through === camera) return;
     this.through = camera;
+    this.controls.enabled = camera === null;
     this.onLookThrough?.(camera);
     this.draw();
   }
