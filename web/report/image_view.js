@@ -1,7 +1,7 @@
 // The image plane: the visible polygons with their holes, as the camera sees them, and above them what mirrors a panel.
 import { channels, firstPanelKind } from "./kinds.js";
 
-const polygonsPerSlice = 20000;
+const polygonsPerSlice = 5000;
 
 export class ImageView {
   // Two canvases on top of each other: the polygons are drawn once, the chosen face as often as it changes.
@@ -22,7 +22,7 @@ export class ImageView {
       canvas.width = width;
       canvas.height = Math.round(width / camera.aspect);
     }
-    this.base.parentElement.style.aspectRatio = String(camera.aspect);
+    this.base.parentElement.style.setProperty("--aspect", String(camera.aspect));
     this.drawing = {};
     if (view === null) return;
     this.rings = ringBegins(view);
@@ -30,10 +30,11 @@ export class ImageView {
   }
 
   // A slice at a time, so that the page answers meanwhile; `drawing` is another one when another camera is shown.
+  // Not by the graphics card, which is slow at many small paths.
   drawSlice(begin, drawing) {
     if (drawing !== this.drawing) return;
     const end = Math.min(begin + polygonsPerSlice, this.view.polygon_face.length);
-    const context = this.base.getContext("2d");
+    const context = this.base.getContext("2d", { willReadFrequently: true });
     for (let p = begin; p < end; ++p) this.drawPolygon(context, p);
     if (end < this.view.polygon_face.length) requestAnimationFrame(() => this.drawSlice(end, drawing));
     else this.drawReflections(context);
@@ -67,11 +68,14 @@ export class ImageView {
     return [(0.5 + 0.5 * x) * this.base.width, (0.5 - 0.5 * y) * this.base.height];
   }
 
-  // The refined triangles that mirror a panel, projected: they are these polygons, whatever the mode.
+  // The refined triangles that mirror a panel, projected: they are these polygons, whatever the mode. The borders of the
+  // visible polygons around them come back on top.
   drawReflections(context) {
+    const faces = new Set();
     for (let t = 0; t < this.view.triangleCount; ++t) {
       const kind = this.triangleKinds[t];
       if (kind < firstPanelKind) continue;
+      faces.add(this.view.triangle_face[t]);
       const [r, g, b] = channels(this.kinds[kind].colour).map((c) => 255 * c);
       context.fillStyle = context.strokeStyle = `rgb(${r} ${g} ${b})`;
       context.lineWidth = 0.6;
@@ -79,6 +83,12 @@ export class ImageView {
       context.fill();
       context.stroke();
     }
+    context.strokeStyle = "rgb(60 45 0 / 60%)";
+    this.view.polygon_face.forEach((face, polygon) => {
+      if (!faces.has(face)) return;
+      this.tracePolygon(context, polygon);
+      context.stroke();
+    });
   }
 
   traceTriangle(context, triangle) {

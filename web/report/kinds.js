@@ -10,15 +10,15 @@ const seenFromBehind = 4;
 export const patterns = { plain: 0, stripes: 1, dots: 2, bars: 3, checks: 4 };
 
 const labelKinds = [
-  { id: "back-facing", name: "back-facing", colour: "#77777d", pattern: patterns.bars },
+  { id: "back-facing", name: "back-facing", colour: "#87857c", pattern: patterns.bars },
   { id: "out-of-view", name: "out of view", colour: "#e6e2d6", pattern: patterns.dots },
-  { id: "hidden", name: "hidden", colour: "#a34a1e", pattern: patterns.stripes },
+  { id: "hidden", name: "hidden", colour: "#741b1a", pattern: patterns.stripes },
   { id: "visible", name: "visible", colour: "#5aa9e6", pattern: patterns.plain },
-  { id: "seen-from-behind", name: "seen from behind", colour: "#12506e", pattern: patterns.checks },
+  { id: "seen-from-behind", name: "seen from behind", colour: "#08af42", pattern: patterns.checks },
 ];
 
 // Again from the first one where there are more panels.
-export const panelColours = ["#ffd21f", "#d6408a", "#9af0c8", "#5b2a86"];
+export const panelColours = ["#ffd21f", "#75266c", "#ffffa9", "#1f028b"];
 
 // The kinds of a scene with these panels, by number.
 export function kindsOf(panelNames) {
@@ -26,7 +26,7 @@ export function kindsOf(panelNames) {
     id: `panel-${number}`,
     name: `mirrors ${name}`,
     colour: panelColours[number % panelColours.length],
-    pattern: patterns.stripes,
+    pattern: 1 + (number % panelColours.length),
   }));
   return [...labelKinds, ...panels];
 }

@@ -49,9 +49,10 @@ export class Report {
   }
 
   makeStage() {
-    const reach = Math.max(2, ...this.panels.flatMap(({ corners }) => corners.map((c) => c.length())));
+    const places = [...this.panels.flatMap(({ corners }) => corners), ...this.cameras.map(({ origin }) => origin)];
+    const around = places.filter((place) => Number.isFinite(place.length()));
     try {
-      const stage = new Stage(byId("stage"), byId("frame"), reach, (eye, w) => this.surface && setEye(this.surface, eye, w));
+      const stage = new Stage(byId("stage"), byId("frame"), around, (eye, w) => this.surface && setEye(this.surface, eye, w));
       stage.onLookThrough = (camera) => this.onLookThrough(camera);
       this.marks.panels = panelMarks(this.panels);
       stage.scene.add(this.marks.panels);
@@ -66,6 +67,7 @@ export class Report {
   listen() {
     byId("camera").addEventListener("change", () => this.showCamera(Number(byId("camera").value)));
     byId("look").addEventListener("click", () => this.stage?.lookThrough(this.stage.through ? null : this.camera()));
+    byId("all").addEventListener("click", () => this.stage?.showAll());
     byId("reset").addEventListener("click", () => this.stage?.reset());
     byId("face").addEventListener("input", () => this.onFaceNumber());
     for (const id of ["original-edges", "refined-edges", "patterns", "cameras", "panels", "mirror"]) {

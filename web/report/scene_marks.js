@@ -1,14 +1,14 @@
 // What stands around the surface: cameras with their frusta, panels, the chosen face, its mirror camera.
 import {
   BufferGeometry, CanvasTexture, DoubleSide, Group, LineBasicMaterial, LineSegments, Mesh,
-  MeshBasicMaterial, ShapeUtils, Sprite, SpriteMaterial, Vector2, Vector3,
+  MeshBasicMaterial, ShapeUtils, Sprite, SpriteMaterial, SRGBColorSpace, Vector2, Vector3,
 } from "three";
 import { depthRange, mirroredAt, windowPoint } from "./camera_math.js";
 import { panelColours } from "./kinds.js";
 import { triangleCorners, trianglesOfFace } from "./view_data.js";
 
 const inkColour = 0x22262c;
-const paleColour = 0x8a8f98;
+const chosenCameraColour = 0x3f7fc0;
 const mirrorColour = 0x8a1c7c;
 const chosenColour = 0xff2d55;
 
@@ -28,7 +28,7 @@ function tag(text, position, colour = "#22262c") {
   const canvas = document.createElement("canvas");
   const context = canvas.getContext("2d");
   const font = "600 30px system-ui, sans-serif";
-  const shown = text.length > 24 ? `${text.slice(0, 23)}…` : text;
+  const shown = text.length > 40 ? `${text.slice(0, 39)}…` : text;
   context.font = font;
   canvas.width = Math.ceil(context.measureText(shown).width) + 20;
   canvas.height = 44;
@@ -37,7 +37,9 @@ function tag(text, position, colour = "#22262c") {
   context.fillRect(0, 0, canvas.width, canvas.height);
   context.fillStyle = colour;
   context.fillText(shown, 10, 32);
-  const material = new SpriteMaterial({ map: new CanvasTexture(canvas), sizeAttenuation: false, depthTest: false });
+  const map = new CanvasTexture(canvas);
+  map.colorSpace = SRGBColorSpace;
+  const material = new SpriteMaterial({ map, sizeAttenuation: false, depthTest: false });
   const sprite = new Sprite(material);
   sprite.position.copy(position);
   sprite.scale.set((0.022 * canvas.width) / canvas.height, 0.022, 1);
@@ -62,7 +64,7 @@ function cameraMark(camera, isChosen) {
   const { near, far } = depthRange(camera, 1.2);
   const first = camera.isPinhole ? 0 : Math.max(near, centreDepth - 2.6);
   group.add(lines(frustum(camera, [first, first + (camera.isPinhole ? 0.35 : 0.25)]), inkColour));
-  if (isChosen) group.add(lines(frustum(camera, [camera.near ?? first, far]), paleColour));
+  if (isChosen) group.add(lines(frustum(camera, [camera.near ?? first, far]), chosenCameraColour));
   group.add(tag(camera.name, windowPoint(camera, 0, 1.25, camera.isPinhole ? 0.35 : first)));
   return group;
 }

@@ -7,11 +7,12 @@ const keyTurn = Math.PI / 36;
 const keyZoom = 1.12;
 
 export class Stage {
-  // onDraw(eye, w): just before drawing; reach: how far from the centre something is drawn.
-  constructor(canvas, frame, reach, onDraw) {
+  // around: the places of what stands around the surface. onDraw(eye, w): just before drawing.
+  constructor(canvas, frame, around, onDraw) {
     this.canvas = canvas;
     this.frame = frame;
-    this.reach = reach;
+    this.around = around;
+    this.reach = Math.max(2, ...around.map((place) => place.length()));
     this.onDraw = onDraw;
     this.scene = new Scene();
     this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
@@ -29,7 +30,6 @@ export class Stage {
     this.controls?.dispose();
     this.controls = new OrbitControls(this.viewer, this.canvas);
     this.controls.addEventListener("change", () => this.draw());
-    this.controls.addEventListener("start", () => this.lookThrough(null));
     this.reset();
   }
 
@@ -41,10 +41,23 @@ export class Stage {
     this.draw();
   }
 
-  // null: the viewer's own camera again.
+  // So far away that the cameras and panels around are in the picture, with some room.
+  showAll() {
+    const direction = this.home.clone().normalize();
+    const halfHeight = Math.tan(this.viewer.fov * (Math.PI / 360));
+    const slope = 0.95 * halfHeight * Math.min(1, this.viewer.aspect);
+    const distanceFor = (place) => place.dot(direction) + place.clone().projectOnPlane(direction).length() / slope;
+    this.reset();
+    this.viewer.position.copy(direction.multiplyScalar(Math.max(this.home.length(), ...this.around.map(distanceFor))));
+    this.controls.update();
+    this.draw();
+  }
+
+  // null: the viewer's own camera again. Only that one can be dragged, so that a click on a face stays one.
   lookThrough(camera) {
     if (this.through === camera) return;
     this.through = camera;
+    this.controls.enabled = camera === null;
     this.onLookThrough?.(camera);
     this.draw();
   }
@@ -56,6 +69,7 @@ export class Stage {
     else if (event.key === "+" || event.key === "=") this.zoom(1 / keyZoom);
     else if (event.key === "-") this.zoom(keyZoom);
     else if (event.key === "0") this.reset();
+    else if (event.key === "a") this.showAll();
     else return;
     event.preventDefault();
   }
@@ -112,7 +126,7 @@ export class Stage {
   ownCamera() {
     const distance = this.viewer.position.length();
     this.viewer.near = Math.max(0.002, (distance - this.reach) / 2);
-    this.viewer.far = distance + 2 * this.reach + 1;
+    this.viewer.far = distance + 2 * this.reach + 3;
     this.viewer.updateProjectionMatrix();
     this.viewer.updateMatrixWorld();
     return this.viewer;

@@ -68,8 +68,8 @@ void main() {
   }
   base *= light;
   float line = 0.0;
-  if (refinedEdges) line = max(line, 0.45 * lineOf(fromRefined, 0.6 * pixelRatio));
-  if (originalEdges) line = max(line, 0.85 * lineOf(fromOriginal, 0.6 * pixelRatio));
+  if (refinedEdges) line = max(line, 0.4 * lineOf(fromRefined, 0.6 * pixelRatio));
+  if (originalEdges) line = max(line, 0.65 * lineOf(fromOriginal, 0.6 * pixelRatio));
   colour = vec4(mix(base, vec3(0.08, 0.09, 0.11), line), 1.0);
 }`;
 
