@@ -1,7 +1,7 @@
 // A sweep's log as JSON: docs/trace.md says what each member means.
 //
-// Equal bytes for equal logs. Steps, and the steps at which segments open and close, are numbered from 1; points, edges and
-// faces from 0, as in their lists.
+// Equal bytes for equal logs. Steps, and the steps at which segments open and close, are numbered from 1; points,
+// edges and faces from 0, as in their lists.
 #pragma once
 
 #include <nlohmann/json.hpp>

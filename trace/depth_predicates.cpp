@@ -13,7 +13,7 @@ void StepPredicates::add_depth(FacetId f, FacetId g) {
     add_verdict(front, back, "ranges", "all of it is less deep");
   } else if (whole_of(f) == whole_of(g)) {
     add_verdict(front, back, "rule", "they are parts of one face");
-  } else if (mesh_.is_cut() && PieceOrder(mesh_, scene_).applies_to(whole_of(f), whole_of(g))) {
+  } else if (mesh_.is_cut() && pieces_.applies_to(whole_of(f), whole_of(g))) {
     add_verdict(front, back, "exact", "they were cut along their common line");
   } else if (!add_corners_against_plane(std::min(f, g), std::max(f, g)) &&
              !add_corners_against_plane(std::max(f, g), std::min(f, g))) {

@@ -1,12 +1,12 @@
 // What points, edges and faces are called in a log.
 //
 // In:  a view, and the names of vertices and faces that a scene brings with it.
-// Out: short names. A vertex without a name of its own is v and its number in the file, from 1; a corner that was made by
-//      clipping, or by cutting along common lines, is m and a number; where several vertices fall on one point the first
-//      of them names it. An edge is named by its ends, upper first. A crossing is x and a number, in sweep order.
+// Out: short names. A vertex without a name of its own is v and its number in the file, from 1; a corner that was
+//      made by clipping, or by cutting along common lines, is m and a number; where several vertices fall on one
+//      point the first of them names it. An edge is named by its ends, upper first. A crossing is x and a number, in
+//      sweep order.
 #pragma once
 
-#include <map>
 #include <string>
 #include <vector>
 

@@ -13,7 +13,8 @@ StepPredicates::StepPredicates(const Mesh& mesh, const SweepLog& log, const Scen
       scene_(log.scene),
       names_(names),
       ranges_(log.scene.arithmetic == Arithmetic::exact ? depth_ranges(log.scene) : std::vector<DepthRange>{}),
-      depth_(mesh, log.scene, ranges_) {}
+      depth_(mesh, log.scene, ranges_),
+      pieces_(mesh, log.scene) {}
 
 std::vector<LoggedPredicate> StepPredicates::of(const SweepStep& step, std::span<const LoggedBundle> before,
                                                 std::span<const LoggedBundle> after) {

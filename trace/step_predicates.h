@@ -3,15 +3,18 @@
 // In:  a step, and the active edge list before and after it.
 // Out: the tests that the step stands on:
 //   - order:     why this point is next: it comes before the event queue's next one;
-//   - side:      on which side of the neighbouring bundles a vertex lies, and that it lies on those that go on through it;
-//   - direction: the order of the bundles below the point; whether new neighbours come nearer to each other, and then, as
-//                a side, whether they cross;
+//   - side:      on which side of the neighbouring bundles a vertex lies, and that it lies on those that go on
+//                through it;
+//   - direction: the order of the bundles below the point; whether new neighbours come nearer to each other, and then,
+//                as a side, whether they cross;
 //   - depth:     for facets that are new neighbours in a node list, which is in front.
-// They are decided again here, by the functions that the sweep calls (image_decisions.h, crossing_point.h, predicates.h,
-// depth_ranges.h), tier by tier. So a sweep that is not traced pays nothing, and its counts are its own. A sweep may have asked more
-// than is listed: a search in the active edge list, or in a node list, meets others on its way.
-// decided_by: integers (exact by their size, there is no filter), filter (double, with a proven bound), exact (integers of
-//      any size, where the filter did not decide), ranges (depths that do not overlap), rule (no arithmetic), float, double.
+// They are decided again here, by the functions that the sweep calls (image_decisions.h, crossing_point.h,
+// predicates.h, depth_ranges.h), tier by tier. So a sweep that is not traced pays nothing, and its counts are its
+// own. A sweep may have asked more than is listed: a search in the active edge list, or in a node list, meets others
+// on its way.
+// decided_by: integers (exact by their size, there is no filter), filter (double, with a proven bound), exact
+//      (integers of any size, where the filter did not decide), ranges (depths that do not overlap), rule (no
+//      arithmetic), float, double.
 // Complexity: as the step, and the corners of facets that are compared.
 #pragma once
 
@@ -62,6 +65,7 @@ class StepPredicates {
   const SceneNames& names_;
   const std::vector<DepthRange> ranges_;
   DepthOrder depth_;
+  const PieceOrder pieces_;
   std::vector<LoggedPredicate> found_;
 };
 

@@ -1,8 +1,8 @@
 // The sweep of one view, written down step by step: what a page shows, a golden file holds, and a reader can check.
 //
-// Holds: a step is a sweep point. Segments are numbered from 1 in the order in which they open, as in Fang's tables 5.2
-//      and 5.4. The active edge list after a step is the one before it with `removed` bundles, from `position` on, replaced
-//      by `inserted`; all other bundles, their node lists and open segments are as they were.
+// Holds: a step is a sweep point. Segments are numbered from 1 in the order in which they open, as in Fang's tables
+//      5.2 and 5.4. The active edge list after a step is the one before it with `removed` bundles, from `position`
+//      on, replaced by `inserted`; all other bundles, their node lists and open segments are as they were.
 // Source: Fang 1993, section 5.3.1, figure 5.6 (kinds of points), tables 5.2 and 5.4.
 #pragma once
 
@@ -24,8 +24,8 @@ enum class PointKind : std::uint8_t { top, side, bottom, crossing };
 // From 1 on; 0: none.
 using SegmentNumber = std::uint32_t;
 
-// One entry of the active edge list, with the node list of the span to its right: the topmost facet first, and then, where
-// depth is an order, shallowest first.
+// One entry of the active edge list, with the node list of the span to its right: the topmost facet first, and then,
+// where depth is an order, shallowest first.
 struct LoggedBundle {
   std::vector<EdgeId> edges;
   std::vector<FacetId> nodes;

@@ -32,20 +32,6 @@ void add_rings(const Mesh& mesh, const VisibleSegments& segments, SweepLog& log)
 
 }  // namespace
 
-const char* to_string(PointKind kind) {
-  switch (kind) {
-    case PointKind::top:
-      return "top";
-    case PointKind::side:
-      return "side";
-    case PointKind::bottom:
-      return "bottom";
-    case PointKind::crossing:
-      return "crossing";
-  }
-  return "";
-}
-
 SweepLog trace_sweep(const Mesh& mesh, ProjectedScene scene, const SceneNames& names, std::size_t most_points) {
   SweepLog log;
   log.scene = std::move(scene);
