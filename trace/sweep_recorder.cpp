@@ -46,6 +46,15 @@ bool contains(const std::vector<EdgeId>& edges, EdgeId edge) {
   return std::find(edges.begin(), edges.end(), edge) != edges.end();
 }
 
+// One per surface and point.
+std::string emit_vertex(FacetId surface, SweepStep& step) {
+  for (const EmittedVertex& vertex : step.vertices) {
+    if (vertex.surface == surface) return vertex.name;
+  }
+  step.vertices.push_back({surface, name_of_emitted(step.name, step.vertices.size())});
+  return step.vertices.back().name;
+}
+
 }  // namespace
 
 SweepRecorder::SweepRecorder(const Mesh& mesh, const SceneNames& names, std::size_t most_steps, SweepLog& log)
@@ -57,7 +66,8 @@ void SweepRecorder::look(const SweepState& state) {
   if (log_.steps.size() == most_steps_) throw TooManySteps("the sweep has too many points to be traced");
   SweepStep step;
   std::vector<LoggedBundle> after;
-  find_place(state, step);
+  step.place = state.here();
+  step.upcoming = state.upcoming(shown_of_queue);
   find_bundles(state, after, step);
   find_edges(step);
   name_point(step);
@@ -77,11 +87,6 @@ void SweepRecorder::begin_anew() {
   active_.clear();
   crossings_ = 0;
   threads_ = 0;
-}
-
-void SweepRecorder::find_place(const SweepState& state, SweepStep& step) const {
-  step.place = state.here();
-  step.upcoming = state.upcoming(shown_of_queue);
 }
 
 // Only the bundles through the point differ.
@@ -148,15 +153,6 @@ void SweepRecorder::open(SegmentNumber number, const VisibleSegments& so_far, Sw
   segment.upper = emit_vertex(segment.surface, step);
   log_.segments.push_back(segment);
   step.opened.push_back(number);
-}
-
-// One per surface and point.
-std::string SweepRecorder::emit_vertex(FacetId surface, SweepStep& step) const {
-  for (const EmittedVertex& vertex : step.vertices) {
-    if (vertex.surface == surface) return vertex.name;
-  }
-  step.vertices.push_back({surface, name_of_emitted(step.name, step.vertices.size())});
-  return step.vertices.back().name;
 }
 
 void SweepRecorder::find_thread(const VisibleSegments& so_far, SweepStep& step) {

@@ -30,14 +30,12 @@ class SweepRecorder : public SweepObserver {
 
  private:
   void begin_anew();
-  void find_place(const SweepState& state, SweepStep& step) const;
   void find_bundles(const SweepState& state, std::vector<LoggedBundle>& after, SweepStep& step) const;
   void find_edges(SweepStep& step) const;
   void name_point(SweepStep& step);
   void find_segments(const VisibleSegments& so_far, SweepStep& step);
   void close(SegmentNumber number, SweepStep& step);
   void open(SegmentNumber number, const VisibleSegments& so_far, SweepStep& step);
-  [[nodiscard]] std::string emit_vertex(FacetId surface, SweepStep& step) const;
   void find_thread(const VisibleSegments& so_far, SweepStep& step);
   void find_visibility(SweepStep& step) const;
   void find_covered_edges(SweepStep& step) const;
