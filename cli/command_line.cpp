@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "cli/completion.h"
 #include "cli/memory_limit.h"
 #include "cli/scene_file.h"
 #include "cli/stability_families.h"
@@ -182,8 +183,27 @@ void declare_analyze(CLI::App& analyze, AnalyzeTexts& texts) {
   analyze.add_flag("--json", texts.json, "print the report on standard output");
   analyze.add_flag("--quiet", texts.quiet, "neither progress nor summary");
   analyze.footer(
-      "Examples: sightline analyze fixtures/demo/scene.toml -o out --report\n"
-      "          sightline analyze bunny.obj --eye 0,1,3 --target 0,0.1,0 --fov-y 30 -o out");
+      "Example: sightline analyze fixtures/demo/scene.toml -o out --report\n"
+      "Example: sightline analyze bunny.obj --eye 0,1,3 --target 0,0.1,0 --fov-y 30 -o out");
+}
+
+void declare_completion(CLI::App& completion, std::string& shell) {
+  completion.add_option("shell", shell, "for which shell")->required()->type_name("bash|zsh|fish");
+  completion.footer("Example: source <(sightline completion bash)");
+}
+
+std::string completion_for(const CLI::App& app, const std::string& name) {
+  const auto shell = shell_named(name);
+  if (!shell) throw CommandLineError(fmt::format("completion: '{}' is not bash, zsh or fish", name));
+  return completion_script(app, *shell);
+}
+
+// Those of all commands, below the help that is about none of them.
+std::string examples(const CLI::App& app) {
+  std::string text;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    text += (text.empty() ? "" : "\n") + command->get_footer();
+  return text;
 }
 
 }  // namespace
@@ -225,6 +245,10 @@ Request parse_command_line(int argc, const char* const* argv) {
       app.add_subcommand("trace", "Step through the sweep of one camera, on a page that needs no network");
   TraceTexts trace_texts;
   declare_trace(*trace, trace_texts);
+  CLI::App* completion = app.add_subcommand("completion", "Print the completion script of a shell");
+  std::string shell;
+  declare_completion(*completion, shell);
+  app.footer(examples(app));
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
@@ -234,6 +258,7 @@ Request parse_command_line(int argc, const char* const* argv) {
   } catch (const CLI::ParseError& error) {
     throw CommandLineError(error.what());
   }
+  if (completion->parsed()) return RequestedText{completion_for(app, shell)};
   if (stability->parsed()) return options_of(stability_texts);
   if (trace->parsed()) return options_of(trace_texts);
   return options_of(texts);
