@@ -12,6 +12,7 @@
 #include "cli/labelled_ply.h"
 #include "cli/memory_limit.h"
 #include "cli/report.h"
+#include "cli/report_page.h"
 #include "cli/resources.h"
 #include "cli/result_folders.h"
 #include "cli/scene_file.h"
@@ -45,9 +46,8 @@ std::vector<std::string> names_of(const std::vector<Item>& items) {
 }
 
 void write_results(ResultFolders& results, const Scene& scene, const Mesh& mesh, const View& view,
-                   const std::vector<FaceMeasures>& faces) {
+                   const std::vector<FaceMeasures>& faces, const std::vector<Point2>& places) {
   const std::string& name = view.scene.camera.name;
-  const std::vector<Point2> places = window_points(view);
   const std::vector<std::string> panels = names_of(scene.panels);
   results.write(name, "faces.csv", faces_table(faces, panels));
   results.write(name, "labelled.ply", labelled_ply(view.labelled, panels));
@@ -56,24 +56,32 @@ void write_results(ResultFolders& results, const Scene& scene, const Mesh& mesh,
   results.write(name, "segments.csv", segments_table(mesh, view, places));
 }
 
-// The report comes last: it says how long writing the others took.
-Report written_report(const Scene& scene, const MeshInput& input, const ViewAnalysis& analysis,
-                      ResultFolders& results) {
-  const Stopwatch watch;
-  const std::vector<FaceMeasures> faces = measure_faces(input.mesh, analysis.view);
-  write_results(results, scene, input.mesh, analysis.view, faces);
-  const Report report = make_report(scene, input, analysis, faces, watch.seconds());
-  results.write(analysis.view.scene.camera.name, "report.json", report_text(report));
-  return report;
-}
-
-// Where the files go, and what all cameras see, for the file that is about all of them.
+// Where the files go, and what all cameras see, for the files that are about all of them.
 struct Output {
-  explicit Output(const std::string& folder) : results(folder) { results.require_place_beside(coverage_file); }
+  Output(const std::string& folder, bool with_page) : results(folder) {
+    results.require_place_beside(coverage_file);
+    if (!with_page) return;
+    results.require_place_beside(report_page_file);
+    page.emplace();
+  }
 
   ResultFolders results;
   std::vector<SeenPart> seen;  // per camera
+  std::optional<ReportPage> page;
 };
+
+// The report comes last: it says how long writing the others took.
+Report written_report(const Scene& scene, const MeshInput& input, const ViewAnalysis& analysis, Output& output) {
+  const Stopwatch watch;
+  const View& view = analysis.view;
+  const std::vector<FaceMeasures> faces = measure_faces(input.mesh, view);
+  const std::vector<Point2> places = window_points(view);
+  write_results(output.results, scene, input.mesh, view, faces, places);
+  if (output.page) output.page->add_view(input.mesh, view, places, faces);
+  const Report report = make_report(scene, input, analysis, faces, watch.seconds());
+  output.results.write(view.scene.camera.name, "report.json", report_text(report));
+  return report;
+}
 
 // output: null where no files are wanted.
 Report camera_report(const Scene& scene, const MeshInput& input, const MirrorWorld& world, const Camera& camera,
@@ -83,13 +91,15 @@ Report camera_report(const Scene& scene, const MeshInput& input, const MirrorWor
   if (output == nullptr) return make_report(scene, input, analysis, measure_faces(input.mesh, analysis.view), 0);
   output->seen.push_back(seen_part(analysis.view.labelled));
   progress.stage(camera.name + ": write the results");
-  return written_report(scene, input, analysis, output->results);
+  return written_report(scene, input, analysis, *output);
 }
 
-Coverage published_coverage(const Scene& scene, const Mesh& mesh, Output& output, Progress& progress) {
+Coverage published_coverage(const Scene& scene, const Mesh& mesh, const std::vector<Report>& reports, Output& output,
+                            Progress& progress) {
   progress.stage("what the cameras cover together");
   Coverage coverage = cover(mesh, output.seen, scene.panels.size());
   output.results.write_beside(coverage_file, coverage_table(coverage, names_of(scene.cameras), names_of(scene.panels)));
+  if (output.page) output.results.write_beside(report_page_file, output.page->text(scene, mesh, reports, coverage));
   output.results.publish();
   return coverage;
 }
@@ -98,7 +108,7 @@ Coverage published_coverage(const Scene& scene, const Mesh& mesh, Output& output
 std::string standard_output(const std::vector<Report>& reports, const std::optional<Coverage>& coverage,
                             const AnalyzeOptions& options) {
   if (options.json) return report_text(reports.size() == 1 ? reports.front() : Report(reports));
-  return options.quiet ? "" : summary(reports, coverage.value(), *options.output);
+  return options.quiet ? "" : summary(reports, coverage.value(), *options.output, options.report_page);
 }
 
 std::string analyzed(const AnalyzeOptions& options) {
@@ -108,14 +118,14 @@ std::string analyzed(const AnalyzeOptions& options) {
   const MeshInput input =
       read_mesh(scene.mesh_file, needs_normals ? Normals::read : Normals::passed_over, options.max_memory, progress);
   std::optional<Output> output;
-  if (options.output) output.emplace(*options.output);
+  if (options.output) output.emplace(*options.output, options.report_page);
   const MirrorWorld world = make_mirror_world(input.mesh, scene.panels, scene.reflection, input.corner_normals);
   std::vector<Report> reports;
   for (const Camera& camera : scene.cameras) {
     reports.push_back(camera_report(scene, input, world, camera, options, output ? &*output : nullptr, progress));
   }
   std::optional<Coverage> coverage;
-  if (output) coverage = published_coverage(scene, input.mesh, *output, progress);
+  if (output) coverage = published_coverage(scene, input.mesh, reports, *output, progress);
   return standard_output(reports, coverage, options);
 }
 

@@ -8,6 +8,7 @@
 
 #include "cli/camera_options.h"
 #include "cli/compare_options.h"
+#include "cli/completion.h"
 #include "cli/memory_limit.h"
 #include "cli/option_values.h"
 #include "cli/scene_file.h"
@@ -23,6 +24,7 @@ constexpr int most_threads = 1024;
 struct AnalyzeTexts {
   std::string input, output, sides, arithmetic, grid_bits, engine, threads, max_memory;
   CameraTexts camera;
+  bool report_page = false;
   bool json = false;
   bool quiet = false;
 };
@@ -39,20 +41,6 @@ std::uint64_t memory_limit(const std::string& text) {
   if (*bytes < smallest_memory_limit)
     throw CommandLineError(fmt::format("--max-memory: {} is less than {}", text, bytes_text(smallest_memory_limit)));
   return *bytes;
-}
-
-Precision precision_of(const AnalyzeTexts& texts) {
-  Precision precision;
-  if (!texts.arithmetic.empty()) {
-    const auto arithmetic = arithmetic_named(texts.arithmetic);
-    if (!arithmetic) {
-      throw CommandLineError(fmt::format("--arithmetic: '{}' is not float, double or exact", texts.arithmetic));
-    }
-    precision.arithmetic = *arithmetic;
-  }
-  if (!texts.grid_bits.empty())
-    precision.grid_bits = parsed_whole_number(texts.grid_bits, "--grid-bits", smallest_grid_bits, default_grid_bits);
-  return precision;
 }
 
 Engine engine_of(const AnalyzeTexts& texts) {
@@ -72,14 +60,16 @@ AnalyzeOptions options_of(const AnalyzeTexts& texts) {
   if (!texts.output.empty()) options.output = texts.output;
   if (!options.output && !texts.json)
     throw CommandLineError("give -o DIR for the results, or --json for the report alone");
+  if (!options.output && texts.report_page) throw CommandLineError("--report needs -o DIR: report.html goes there");
   if (!texts.sides.empty()) {
     options.sides = sides_policy(texts.sides);
     if (!options.sides) throw CommandLineError(fmt::format("--sides: '{}' is not auto, front or both", texts.sides));
   }
   options.max_memory = memory_limit(texts.max_memory);
-  options.precision = precision_of(texts);
+  options.precision = parsed_precision(texts.arithmetic, texts.grid_bits);
   options.engine = engine_of(texts);
   options.threads = threads_of(texts);
+  options.report_page = texts.report_page;
   options.json = texts.json;
   options.quiet = texts.quiet;
   options.camera = camera_of(texts.input, texts.camera);
@@ -127,8 +117,31 @@ void declare_analyze(CLI::App& analyze, AnalyzeTexts& texts) {
       ->type_name("DIR");
   analyze.add_option("--max-memory", texts.max_memory, "stop where more is needed (3/4 of the machine's memory)")
       ->type_name("BYTES[K|M|G|T]");
+  analyze.add_flag("--report", texts.report_page, "write report.html, too: the results in 3D, in one page");
   analyze.add_flag("--json", texts.json, "print the report on standard output");
   analyze.add_flag("--quiet", texts.quiet, "neither progress nor summary");
+  analyze.footer(
+      "Example: sightline analyze fixtures/demo/scene.toml -o out --report\n"
+      "Example: sightline analyze bunny.obj --eye 0,1,3 --target 0,0.1,0 --fov-y 30 -o out");
+}
+
+void declare_completion(CLI::App& completion, std::string& shell) {
+  completion.add_option("shell", shell, "for which shell")->required()->type_name("bash|zsh|fish");
+  completion.footer("Example: source <(sightline completion bash)");
+}
+
+std::string completion_for(const CLI::App& app, const std::string& name) {
+  const auto shell = shell_named(name);
+  if (!shell) throw CommandLineError(fmt::format("completion: '{}' is not bash, zsh or fish", name));
+  return completion_script(app, *shell);
+}
+
+// Those of all commands, below the help that is about none of them.
+std::string examples(const CLI::App& app) {
+  std::string text;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    text += (text.empty() ? "" : "\n") + command->get_footer();
+  return text;
 }
 
 }  // namespace
@@ -148,6 +161,14 @@ Request parse_command_line(int argc, const char* const* argv) {
       "stability", "Measure where float, double and exact arithmetic break, on scenes that go to extremes");
   StabilityTexts stability_texts;
   declare_stability(*stability, stability_texts);
+  CLI::App* trace =
+      app.add_subcommand("trace", "Step through the sweep of one camera, on a page that needs no network");
+  TraceTexts trace_texts;
+  declare_trace(*trace, trace_texts);
+  CLI::App* completion = app.add_subcommand("completion", "Print the completion script of a shell");
+  std::string shell;
+  declare_completion(*completion, shell);
+  app.footer(examples(app));
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
@@ -158,7 +179,9 @@ Request parse_command_line(int argc, const char* const* argv) {
     throw CommandLineError(error.what());
   }
   if (compare->parsed()) return options_of(compare_texts);
+  if (completion->parsed()) return RequestedText{completion_for(app, shell)};
   if (stability->parsed()) return options_of(stability_texts);
+  if (trace->parsed()) return options_of(trace_texts);
   return options_of(texts);
 }
 

@@ -1,4 +1,5 @@
-// The command line: sightline analyze SCENE.toml|MESH.obj ..., sightline compare ..., sightline stability ...
+// The command line: sightline analyze SCENE.toml|MESH.obj ..., sightline compare ..., sightline stability ..., sightline
+// trace ...
 //
 // In:  the arguments. Out: what to do, or a text that was asked for (help, version).
 // Errors: CommandLineError, one line.
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "cli/scene.h"
+#include "cli/trace_options.h"
 #include "geometry/arithmetic.h"
 #include "geometry/errors.h"
 #include "sweep/engine.h"
@@ -30,6 +32,7 @@ struct AnalyzeOptions {
   Precision precision;
   Engine engine = Engine::fast;
   std::size_t threads = 1;
+  bool report_page = false;  // needs output
   bool json = false;
   bool quiet = false;
 
@@ -58,8 +61,7 @@ struct RequestedText {
   std::string text;
 };
 
-using Request = std::variant<AnalyzeOptions, CompareOptions, StabilityOptions, RequestedText>;
+using Request = std::variant<AnalyzeOptions, CompareOptions, StabilityOptions, TraceOptions, RequestedText>;
 
 [[nodiscard]] Request parse_command_line(int argc, const char* const* argv);
-
 }  // namespace sightline

@@ -11,6 +11,7 @@
 #include "cli/compare_command.h"
 #include "cli/durable_file.h"
 #include "cli/stability_command.h"
+#include "cli/trace_command.h"
 
 namespace {
 
@@ -38,6 +39,8 @@ int run(int argc, const char* const* argv) {
     print(sightline::stability_command(*stability));
   } else if (const auto* compare = std::get_if<sightline::CompareOptions>(&request)) {
     print(sightline::compare_command(*compare));
+  } else if (const auto* trace = std::get_if<sightline::TraceOptions>(&request)) {
+    print(sightline::trace_command(*trace));
   } else {
     print(sightline::analyze_command(std::get<sightline::AnalyzeOptions>(request)));
   }

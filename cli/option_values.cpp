@@ -31,6 +31,18 @@ Vector3 parsed_vector(std::string_view text, std::string_view option) {
   return {parsed_number(parts[0], option), parsed_number(parts[1], option), parsed_number(parts[2], option)};
 }
 
+Precision parsed_precision(const std::string& arithmetic, const std::string& grid_bits) {
+  Precision precision;
+  if (!arithmetic.empty()) {
+    const auto named = arithmetic_named(arithmetic);
+    if (!named) throw CommandLineError(fmt::format("--arithmetic: '{}' is not float, double or exact", arithmetic));
+    precision.arithmetic = *named;
+  }
+  if (!grid_bits.empty())
+    precision.grid_bits = parsed_whole_number(grid_bits, "--grid-bits", smallest_grid_bits, default_grid_bits);
+  return precision;
+}
+
 std::vector<std::string_view> split(std::string_view text, char separator) {
   std::vector<std::string_view> parts;
   for (std::size_t begin = 0; begin <= text.size();) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cli/command_line.h"
+#include "geometry/arithmetic.h"
 #include "geometry/vector3.h"
 
 namespace sightline {
@@ -19,6 +20,9 @@ namespace sightline {
 
 // X,Y,Z
 [[nodiscard]] Vector3 parsed_vector(std::string_view text, std::string_view option);
+
+// The dial, from --arithmetic and --grid-bits; empty texts stand for the default.
+[[nodiscard]] Precision parsed_precision(const std::string& arithmetic, const std::string& grid_bits);
 
 [[nodiscard]] std::vector<std::string_view> split(std::string_view text, char separator);
 

@@ -80,7 +80,8 @@ std::string warnings_line(const std::vector<Report>& reports) {
 
 }  // namespace
 
-std::string summary(const std::vector<Report>& reports, const Coverage& coverage, const std::string& output) {
+std::string summary(const std::vector<Report>& reports, const Coverage& coverage, const std::string& output,
+                    bool with_page) {
   std::string text = scene_line(reports.front()) + table_head();
   for (const Report& report : reports) text += camera_line(report);
   text += panel_lines(reports);
@@ -92,7 +93,8 @@ std::string summary(const std::vector<Report>& reports, const Coverage& coverage
   text += "  labelled.ply   the refined surface with labels (also labelled.obj)\n";
   text += "  faces.csv      how much of each face is seen (also segments.csv, report.json)\n";
   text += "Beside them: coverage.csv, how much cameras and panels cover together\n";
-  text += fmt::format("Start with {}/{}/view.svg\n", output, first);
+  if (with_page) text += "             report.html, all of this in 3D\n";
+  text += "Start with " + output + (with_page ? "/report.html" : "/" + first + "/view.svg") + "\n";
   return text;
 }
 

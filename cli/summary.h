@@ -10,7 +10,8 @@
 namespace sightline {
 
 // reports: of the cameras of one scene, at least one; coverage: of the same. output: the folder of the results.
+// with_page: report.html is there.
 [[nodiscard]] std::string summary(const std::vector<Report>& reports, const Coverage& coverage,
-                                  const std::string& output);
+                                  const std::string& output, bool with_page);
 
 }  // namespace sightline

@@ -1,7 +1,6 @@
 #include "sweep/sweep.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "geometry/arithmetic.h"
 #include "sweep/active_edge_list.h"
@@ -10,6 +9,7 @@
 #include "sweep/event_queue.h"
 #include "sweep/segment_recorder.h"
 #include "sweep/sweep_input.h"
+#include "sweep/sweep_state.h"
 #include "sweep/validate_crossings.h"
 
 namespace sightline {
@@ -20,7 +20,7 @@ namespace {
 struct IntransitiveDepth {};
 
 template <class Decisions>
-class Sweep {
+class Sweep : private SweepState {
  public:
   Sweep(const Mesh& mesh, const ProjectedScene& scene, NodeOrder order, SweepObserver* observer)
       : scene_(scene),
@@ -32,7 +32,9 @@ class Sweep {
         active_(scene.edge_count()),
         ranges_(Decisions::is_exact ? depth_ranges(scene) : std::vector<DepthRange>{}),
         depth_(mesh, scene, ranges_),
-        recorder_(mesh, scene, result_) {}
+        recorder_(mesh, scene, result_) {
+    result_.statistics.depth_is_transitive = order_ == NodeOrder::depth;
+  }
 
   VisibleSegments run() {
     while (queue_.next(point_)) {
@@ -48,7 +50,6 @@ class Sweep {
     check(active_.empty(), "edges are left over after the last sweep point");
     result_.statistics.depth_comparisons = depth_.comparisons();
     result_.statistics.predicates = depth_.counts();
-    result_.statistics.depth_is_transitive = order_ == NodeOrder::depth;
     require_real_crossings();
     std::sort(result_.splits.begin(), result_.splits.end());
     result_.splits.erase(std::unique(result_.splits.begin(), result_.splits.end()), result_.splits.end());
@@ -247,20 +248,23 @@ class Sweep {
   }
 
   void notify() const {
-    const double scale = std::ldexp(1.0, -scene_.grid_bits);
-    SweepObserver::SweepPoint seen;
-    seen.vertex = point_.vertex;
-    if (point_.vertex.valid()) {
-      seen.x = static_cast<double>(scene_.point(point_.vertex).x) * scale;
-      seen.y = static_cast<double>(scene_.point(point_.vertex).y) * scale;
-    } else {
-      seen.x = static_cast<double>(point_.crossings.front().point.x) * scale;
-      seen.y = static_cast<double>(point_.crossings.front().point.y) * scale;
-    }
-    seen.crossings = point_.crossings.size();
-    seen.points_done = point_.next_vertex.index();
-    observer_->at(seen);
+    const SweepPlace place = here();
+    observer_->at({place.vertex, place.x, place.y, place.crossings.size(), point_.next_vertex.index()});
+    observer_->look(*this);
   }
+
+  [[nodiscard]] SweepPlace here() const override { return place_in_window(scene_, point_); }
+  [[nodiscard]] std::vector<SweepPlace> upcoming(std::size_t at_most) const override {
+    EventQueue<Decisions> rest = queue_;
+    std::vector<SweepPlace> places;
+    SweepPoint<typename Decisions::Place> point;
+    while (places.size() < at_most && rest.next(point)) places.push_back(place_in_window(scene_, point));
+    return places;
+  }
+  [[nodiscard]] const ActiveEdgeList& active() const override { return active_; }
+  [[nodiscard]] std::span<const BundleId> below() const override { return below_; }
+  [[nodiscard]] BundleId left_neighbour() const override { return left_neighbour_; }
+  [[nodiscard]] const VisibleSegments& so_far() const override { return result_; }
 
   void check(bool holds, const char* what) const {
     if (holds) return;

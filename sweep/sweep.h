@@ -21,6 +21,8 @@
 
 namespace sightline {
 
+class SweepState;
+
 // Called at every sweep point, after it has been worked off. Teaching, tracing, progress and statistics hang on it.
 class SweepObserver {
  public:
@@ -34,6 +36,10 @@ class SweepObserver {
     std::size_t points_done = 0;  // of the scene's points
   };
   virtual void at(const SweepPoint& point) = 0;
+
+  // After `at`, by a sweep of everything: for whoever wants to see more (sweep_state.h). The fast engine's bands are
+  // parts of the scene, and are not shown.
+  virtual void look(const SweepState& /*state*/) {}
 };
 
 [[nodiscard]] VisibleSegments sweep(const Mesh& mesh, const ProjectedScene& scene, SweepObserver* observer = nullptr);

@@ -40,16 +40,18 @@ std::string TemporaryFolder::file(const std::string& name, const std::string& co
   return path.string();
 }
 
-RunResult run_sightline(const std::vector<std::string>& arguments) {
+RunResult run_program(const std::string& program, const std::vector<std::string>& arguments) {
   const TemporaryFolder folder;
   const std::filesystem::path out = folder.path() / "out";
   const std::filesystem::path err = folder.path() / "err";
-  std::string command = quoted(SIGHTLINE_COMMAND);
+  std::string command = quoted(program);
   for (const std::string& argument : arguments) command += " " + quoted(argument);
   command += " > " + quoted(out.string()) + " 2> " + quoted(err.string()) + " < /dev/null";
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status), read_text(out), read_text(err)};
 }
+
+RunResult run_sightline(const std::vector<std::string>& arguments) { return run_program(SIGHTLINE_COMMAND, arguments); }
 
 std::string read_text(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);

@@ -28,6 +28,8 @@ struct RunResult {
   std::string err;
 };
 
+[[nodiscard]] RunResult run_program(const std::string& program, const std::vector<std::string>& arguments);
+
 // Runs SIGHTLINE_COMMAND with the arguments.
 [[nodiscard]] RunResult run_sightline(const std::vector<std::string>& arguments);
 

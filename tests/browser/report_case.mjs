@@ -1,0 +1,44 @@
+// What the tests of report.html share.
+import { join } from "node:path";
+import { withPage } from "./page_case.mjs";
+
+const isShown = () => document.body.dataset.shown === "0";
+
+export function withReport(browser, folder, test, options = {}) {
+  return withPage(browser, join(folder, "report.html"), { ready: isShown, ...options }, test);
+}
+
+// The face's row, {column: value}, as the page shows it.
+export async function shownRow(page) {
+  const names = await page.locator("#row dt").allTextContents();
+  const values = await page.locator("#row dd").allTextContents();
+  return Object.fromEntries(names.map((name, i) => [name, values[i]]));
+}
+
+// From the triangle's centre towards a corner: 1 is the corner itself.
+export function cornerOf(triangle, corner, share) {
+  const centre = [0, 1].map((i) => (triangle[0][i] + triangle[1][i] + triangle[2][i]) / 3);
+  return centre.map((c, i) => c + share * (corner[i] - c));
+}
+
+// Of the canvas in 3D, [r, g, b] at places in shares of the window that is looked through.
+export async function pixelsAt(page, places) {
+  const frame = await page.locator("#frame").boundingBox();
+  const image = (await page.screenshot()).toString("base64");
+  const points = places.map(([right, down]) => [frame.x + right * frame.width, frame.y + down * frame.height]);
+  return page.evaluate(readPixels, { image, points });
+}
+
+// In the page.
+async function readPixels({ image, points }) {
+  const bytes = Uint8Array.from(atob(image), (c) => c.charCodeAt(0));
+  const bitmap = await createImageBitmap(new Blob([bytes], { type: "image/png" }));
+  const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext("2d");
+  context.drawImage(bitmap, 0, 0);
+  return points.map(([x, y]) => [...context.getImageData(Math.round(x), Math.round(y), 1, 1).data.slice(0, 3)]);
+}
+
+// The backdrop is nearly white.
+export function isBackground(pixel) {
+  return Math.min(...pixel) > 225;
+}

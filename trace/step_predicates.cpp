@@ -1,0 +1,163 @@
+#include "trace/step_predicates.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "trace/image_signs.h"
+
+namespace sightline {
+
+StepPredicates::StepPredicates(const Mesh& mesh, const SweepLog& log, const SceneNames& names)
+    : mesh_(mesh),
+      log_(log),
+      scene_(log.scene),
+      names_(names),
+      ranges_(log.scene.arithmetic == Arithmetic::exact ? depth_ranges(log.scene) : std::vector<DepthRange>{}),
+      depth_(mesh, log.scene, ranges_),
+      pieces_(mesh, log.scene) {}
+
+std::vector<LoggedPredicate> StepPredicates::of(const SweepStep& step, std::span<const LoggedBundle> before,
+                                                std::span<const LoggedBundle> after) {
+  found_.clear();
+  add_order(step);
+  add_sides(step, before, after);
+  add_directions(step);
+  add_meetings(step, after);
+  if (log_.depth_is_transitive) add_depths(step, before);
+  return std::move(found_);
+}
+
+// Two crossings of nearly the same height need wide integers, anything else does not.
+void StepPredicates::add_order(const SweepStep& step) {
+  if (step.upcoming.empty()) return;
+  const SweepPlace& next = step.upcoming.front();
+  const bool both_cross = !step.place.vertex.valid() && !next.vertex.valid();
+  const bool far_apart = std::fabs(std::ldexp(step.place.y - next.y, scene_.grid_bits)) > crossing_order_bound;
+  const auto operand_of = [](std::string name, const SweepPlace& place) {
+    return Operand{std::move(name), {place.x, place.y}};
+  };
+  const std::string next_name = next.vertex.valid() ? log_.point_names[next.vertex.index()]
+                                                    : "the crossing of " + name(next.crossings.front()[0]) + " and " +
+                                                          name(next.crossings.front()[1]);
+  const std::string exactly = !both_cross ? "integers" : (far_apart ? "filter" : "exact");
+  found_.push_back({"order",
+                    step.name + " comes before " + next_name + (step.place.y == next.y ? ": further left" : ": higher"),
+                    "y descending, then x ascending",
+                    {operand_of(step.name, step.place), operand_of(next_name, next)},
+                    -1,
+                    {},
+                    scene_.arithmetic == Arithmetic::exact ? exactly : to_string(scene_.arithmetic)});
+}
+
+void StepPredicates::add_sides(const SweepStep& step, std::span<const LoggedBundle> before,
+                               std::span<const LoggedBundle> after) {
+  const PointId point = step.place.vertex;
+  if (!point.valid()) return;
+  if (step.position > 0) add_side(after[step.position - 1].edges.front(), point);
+  for (const LoggedBundle& bundle : before.subspan(step.position, step.removed)) {
+    const EdgeId edge = bundle.edges.front();
+    if (scene_.edge(edge).bottom != point) add_side(edge, point);
+  }
+  const std::size_t right = step.position + step.inserted.size();
+  if (right < after.size()) add_side(after[right].edges.front(), point);
+}
+
+void StepPredicates::add_directions(const SweepStep& step) {
+  EdgeId last;
+  for (const LoggedBundle& bundle : step.inserted) {
+    for (const EdgeId edge : bundle.edges) {
+      if (last.valid()) add_direction(last, edge);
+      last = edge;
+    }
+  }
+}
+
+void StepPredicates::add_meetings(const SweepStep& step, std::span<const LoggedBundle> after) {
+  const std::size_t right = step.position + step.inserted.size();
+  if (step.position > 0 && step.position < after.size())
+    add_meeting(after[step.position - 1].edges.front(), after[step.position].edges.front());
+  if (!step.inserted.empty() && right < after.size())
+    add_meeting(after[right - 1].edges.front(), after[right].edges.front());
+}
+
+// Neighbours that were neighbours in a list around the point before are in order already.
+void StepPredicates::add_depths(const SweepStep& step, std::span<const LoggedBundle> before) {
+  using Pair = std::array<FacetId, 2>;
+  std::vector<Pair> known;
+  const auto neighbours = [](const LoggedBundle& bundle, const auto& visit) {
+    for (std::size_t i = 1; i < bundle.nodes.size(); ++i) visit(Pair{bundle.nodes[i - 1], bundle.nodes[i]});
+  };
+  const std::size_t first = step.position == 0 ? 0 : step.position - 1;
+  for (const LoggedBundle& bundle : before.subspan(first, step.position + step.removed - first))
+    neighbours(bundle, [&](const Pair& pair) { known.push_back(pair); });
+  for (const LoggedBundle& bundle : step.inserted) {
+    neighbours(bundle, [&](const Pair& pair) {
+      if (std::find(known.begin(), known.end(), pair) != known.end()) return;
+      known.push_back(pair);
+      add_depth(pair[0], pair[1]);
+    });
+  }
+}
+
+Sign StepPredicates::add_side(EdgeId edge, PointId point) {
+  const ImageSign side = side_of_edge(scene_, edge, point);
+  const std::string place = side.sign > 0 ? " lies right of " : (side.sign < 0 ? " lies left of " : " lies on ");
+  found_.push_back({"side",
+                    log_.point_names[point.index()] + place + name(edge),
+                    "(lower - upper) x (point - upper)",
+                    {operand(scene_.edge(edge).top), operand(scene_.edge(edge).bottom), operand(point)},
+                    side.sign,
+                    side.exact,
+                    integers()});
+  return side.sign;
+}
+
+Sign StepPredicates::add_direction(EdgeId a, EdgeId b) {
+  const ImageSign turn = turn_of_edges(scene_, a, b);
+  const std::string place = turn.sign > 0 ? " leads further left than " : " leads further right than ";
+  found_.push_back({"direction",
+                    name(a) + (turn.sign == 0 ? " has the same direction as " : place) + name(b),
+                    "(a.lower - a.upper) x (b.lower - b.upper)",
+                    {operand(scene_.edge(a).top), operand(scene_.edge(a).bottom), operand(scene_.edge(b).top),
+                     operand(scene_.edge(b).bottom)},
+                    turn.sign,
+                    turn.exact,
+                    integers()});
+  return turn.sign;
+}
+
+// Edges that come nearer to each other cross where the one that ends first ends beyond the other.
+void StepPredicates::add_meeting(EdgeId left, EdgeId right) {
+  if (add_direction(left, right) >= 0) {
+    found_.back().says += ": they do not come nearer to each other";
+    return;
+  }
+  const PointId left_end = scene_.edge(left).bottom;
+  const PointId right_end = scene_.edge(right).bottom;
+  if (left_end == right_end) {
+    found_.back().says += ": they meet where both end";
+    return;
+  }
+  const bool left_first = left_end < right_end;
+  const Sign side = left_first ? add_side(right, left_end) : add_side(left, right_end);
+  found_.back().says += (left_first ? side > 0 : side < 0) ? ": they cross further down" : ": they do not cross";
+}
+
+const std::string& StepPredicates::name(FacetId f) const {
+  return log_.face_names[mesh_.facet_face[f.index()].index()];
+}
+
+std::string StepPredicates::name(EdgeId e) const {
+  return name_of_edge(log_.point_names[scene_.edge(e).top.index()], log_.point_names[scene_.edge(e).bottom.index()]);
+}
+
+Operand StepPredicates::operand(PointId p) const {
+  const ImagePoint& point = scene_.point(p);
+  return {log_.point_names[p.index()], {static_cast<double>(point.x), static_cast<double>(point.y)}};
+}
+
+const char* StepPredicates::integers() const {
+  return scene_.arithmetic == Arithmetic::exact ? "integers" : to_string(scene_.arithmetic);
+}
+
+}  // namespace sightline

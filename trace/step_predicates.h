@@ -1,0 +1,72 @@
+// The decisions behind a step of the sweep: their operands, their signs, and what decided them.
+//
+// In:  a step, and the active edge list before and after it.
+// Out: the tests that the step stands on:
+//   - order:     why this point is next: it comes before the event queue's next one;
+//   - side:      on which side of the neighbouring bundles a vertex lies, and that it lies on those that go on
+//                through it;
+//   - direction: the order of the bundles below the point; whether new neighbours come nearer to each other, and then,
+//                as a side, whether they cross;
+//   - depth:     for facets that are new neighbours in a node list, which is in front.
+// They are decided again here, by the functions that the sweep calls (image_decisions.h, crossing_point.h,
+// predicates.h, depth_ranges.h), tier by tier. So a sweep that is not traced pays nothing, and its counts are its
+// own. A sweep may have asked more than is listed: a search in the active edge list, or in a node list, meets others
+// on its way.
+// decided_by: integers (exact by their size, there is no filter), filter (double, with a proven bound), exact
+//      (integers of any size, where the filter did not decide), ranges (depths that do not overlap), rule (no
+//      arithmetic), float, double.
+// Complexity: as the step, and the corners of facets that are compared.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "geometry/mesh.h"
+#include "sweep/depth_order.h"
+#include "sweep/depth_ranges.h"
+#include "trace/names.h"
+#include "trace/sweep_log.h"
+
+namespace sightline {
+
+class StepPredicates {
+ public:
+  StepPredicates(const Mesh& mesh, const SweepLog& log, const SceneNames& names);
+
+  [[nodiscard]] std::vector<LoggedPredicate> of(const SweepStep& step, std::span<const LoggedBundle> before,
+                                                std::span<const LoggedBundle> after);
+
+ private:
+  void add_order(const SweepStep& step);
+  void add_sides(const SweepStep& step, std::span<const LoggedBundle> before, std::span<const LoggedBundle> after);
+  void add_directions(const SweepStep& step);
+  void add_meetings(const SweepStep& step, std::span<const LoggedBundle> after);
+  void add_depths(const SweepStep& step, std::span<const LoggedBundle> before);
+
+  Sign add_side(EdgeId edge, PointId point);
+  Sign add_direction(EdgeId a, EdgeId b);
+  void add_meeting(EdgeId left, EdgeId right);
+  void add_depth(FacetId f, FacetId g);
+  // Whether the corners decide.
+  bool add_corners_against_plane(FacetId f, FacetId g);
+  Sign add_corner_against_plane(VertexId v, FacetId plane);
+  void add_verdict(FacetId f, FacetId g, std::string decided_by, std::string because);
+
+  [[nodiscard]] const std::string& name(FacetId f) const;
+  [[nodiscard]] std::string name(EdgeId e) const;
+  [[nodiscard]] Operand operand(PointId p) const;
+  [[nodiscard]] std::span<const VertexId> corners(FacetId f) const;
+  [[nodiscard]] WholeId whole_of(FacetId f) const;
+  [[nodiscard]] const char* integers() const;
+
+  const Mesh& mesh_;
+  const SweepLog& log_;
+  const ProjectedScene& scene_;
+  const SceneNames& names_;
+  const std::vector<DepthRange> ranges_;
+  DepthOrder depth_;
+  const PieceOrder pieces_;
+  std::vector<LoggedPredicate> found_;
+};
+
+}  // namespace sightline

@@ -1,0 +1,54 @@
+// Writes down what a sweep does at each of its points.
+//
+// In:  the states of a sweep, as SweepObserver::look shows them.
+// Out: the steps and segments of a SweepLog; rings are not known before the end (rings_of_log.h).
+// Complexity: per step O(l) for the length l of the active edge list with its node lists, and what the predicates cost.
+// Errors: TooManySteps at the first sweep point beyond the limit.
+#pragma once
+
+#include <vector>
+
+#include "geometry/errors.h"
+#include "geometry/mesh.h"
+#include "sweep/sweep.h"
+#include "trace/step_predicates.h"
+#include "trace/sweep_log.h"
+
+namespace sightline {
+
+class TooManySteps : public Error {
+  using Error::Error;
+};
+
+class SweepRecorder : public SweepObserver {
+ public:
+  // log: has its scene and names; gets its steps and segments.
+  SweepRecorder(const Mesh& mesh, const SceneNames& names, std::size_t most_steps, SweepLog& log);
+
+  void at(const SweepPoint& /*point*/) override {}
+  void look(const SweepState& state) override;
+
+ private:
+  void begin_anew();
+  void find_bundles(const SweepState& state, std::vector<LoggedBundle>& after, SweepStep& step) const;
+  void find_edges(SweepStep& step) const;
+  void name_point(SweepStep& step);
+  void find_segments(const VisibleSegments& so_far, SweepStep& step);
+  void close(SegmentNumber number, SweepStep& step);
+  void open(SegmentNumber number, const VisibleSegments& so_far, SweepStep& step);
+  void find_thread(const VisibleSegments& so_far, SweepStep& step);
+  void find_visibility(SweepStep& step) const;
+  void find_covered_edges(SweepStep& step) const;
+  [[nodiscard]] FacetId topmost_surface(const LoggedBundle& bundle) const;
+
+  const Mesh& mesh_;
+  const SceneNames& names_;
+  const std::size_t most_steps_;
+  SweepLog& log_;
+  StepPredicates predicates_;
+  std::vector<LoggedBundle> active_;  // before the step
+  std::size_t crossings_ = 0;         // sweep points that were crossings only
+  std::size_t threads_ = 0;
+};
+
+}  // namespace sightline

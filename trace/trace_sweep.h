@@ -1,0 +1,22 @@
+// The sweep of a view, traced: mesh and projected scene in, SweepLog out.
+//
+// In:  a mesh whose facets do not pass through each other, its projected scene, and names for its parts.
+// Out: the log of the full sweep, with rings, each in the step in which its last segment closes. In float and double
+//      the sweep may end early, or its segments may make no rings: then `broken` says why, and the log has what came
+//      before.
+// Complexity: steps times the length of the active edge list.
+// Errors: TooManySteps beyond most_traced_points; InternalError.
+#pragma once
+
+#include "trace/names.h"
+#include "trace/sweep_log.h"
+#include "trace/sweep_recorder.h"
+
+namespace sightline {
+
+constexpr std::size_t most_traced_points = 5000;
+
+[[nodiscard]] SweepLog trace_sweep(const Mesh& mesh, ProjectedScene scene, const SceneNames& names = {},
+                                   std::size_t most_points = most_traced_points);
+
+}  // namespace sightline

@@ -1,0 +1,8 @@
+// In the place of the pages, where they could not be bundled.
+#include "cli/page_template.h"
+
+namespace sightline {
+
+std::span<const char* const> page_pieces(PageName) { return {}; }
+
+}  // namespace sightline
