@@ -12,7 +12,7 @@ before(async () => (browser = await startBrowser()));
 after(() => browser.close());
 
 const camera = "a&lt;b&gt; & 'c' ${7}";
-const panel = "p&amp;'";
+const panel = "p&amp'${1}";
 const mesh = "a</script><script>alert(1)</script><img src=x onerror=alert(2)>.obj";
 
 // "/" in the mesh's name makes folders.
