@@ -14,6 +14,8 @@ const { chromium } = createRequire(join(SIGHTLINE_WEB_DIR, "package.json"))("pla
 
 export const fixtures = resolve(dirname(fileURLToPath(import.meta.url)), "../../fixtures");
 export const desktop = { width: 1280, height: 720 };
+// For tests that take many pictures.
+export const small = { width: 720, height: 480 };
 export const phone = { width: 390, height: 844 };
 
 export function temporaryFolder() {

@@ -4,7 +4,7 @@ import { copyFileSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { after, before, test } from "node:test";
 import { gunzipSync, gzipSync } from "node:zlib";
-import { analysed, fixtures, picture, startBrowser, temporaryFolder, withPage } from "./page_case.mjs";
+import { analysed, fixtures, picture, small, startBrowser, temporaryFolder, withPage } from "./page_case.mjs";
 import { shownRow, withReport } from "./report_case.mjs";
 
 let browser;
@@ -12,7 +12,7 @@ before(async () => (browser = await startBrowser()));
 after(() => browser.close());
 
 const camera = "a&lt;b&gt; & 'c' ${7}";
-const panel = "p&amp;'";
+const panel = "p&amp'${1}";
 const mesh = "a</script><script>alert(1)</script><img src=x onerror=alert(2)>.obj";
 
 // "/" in the mesh's name makes folders.
@@ -96,7 +96,7 @@ test("the keyboard alone turns, zooms, looks through a camera, changes it, and c
     await page.keyboard.type("99");
     assert.deepEqual(await shownRow(page), {});
     assert.equal(await page.textContent("#face-state"), "There are faces 0 to 8063.");
-  }));
+  }, { viewport: small }));
 
 // The page of a run whose triangles would not all fit: what the command would have said is put into a page that it made.
 function withHeld(folder, held) {

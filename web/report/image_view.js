@@ -1,7 +1,8 @@
 // The image plane: the visible polygons with their holes, as the camera sees them, and above them what mirrors a panel.
 import { channels, firstPanelKind } from "./kinds.js";
 
-const polygonsPerSlice = 5000;
+const polygonsPerSlice = 2000;
+const sliceMilliseconds = 40;
 
 export class ImageView {
   // Two canvases on top of each other: the polygons are drawn once, the chosen face as often as it changes.
@@ -23,21 +24,34 @@ export class ImageView {
       canvas.height = Math.round(width / camera.aspect);
     }
     this.base.parentElement.style.setProperty("--aspect", String(camera.aspect));
-    this.drawing = {};
+    this.base.removeAttribute("data-drawn");
+    this.drawing = null;
     if (view === null) return;
     this.rings = ringBegins(view);
+    this.drawing = drawingFor(this.base);
     this.drawSlice(0, this.drawing);
   }
 
-  // A slice at a time, so that the page answers meanwhile; `drawing` is another one when another camera is shown.
-  // Not by the graphics card, which is slow at many small paths.
+  // A slice at a time, so that the page answers meanwhile; shown when all is there, since every time costs the whole page's
+  // drawing. `drawing` is another one when another camera is shown.
   drawSlice(begin, drawing) {
     if (drawing !== this.drawing) return;
-    const end = Math.min(begin + polygonsPerSlice, this.view.polygon_face.length);
-    const context = this.base.getContext("2d", { willReadFrequently: true });
-    for (let p = begin; p < end; ++p) this.drawPolygon(context, p);
-    if (end < this.view.polygon_face.length) requestAnimationFrame(() => this.drawSlice(end, drawing));
-    else this.drawReflections(context);
+    const count = this.view.polygon_face.length;
+    const deadline = performance.now() + sliceMilliseconds;
+    let end = begin;
+    while (end < count && performance.now() < deadline) {
+      const stop = Math.min(end + polygonsPerSlice, count);
+      for (; end < stop; ++end) this.drawPolygon(drawing, end);
+    }
+    if (end < count) setTimeout(() => this.drawSlice(end, drawing));
+    else this.finish(drawing);
+  }
+
+  finish(drawing) {
+    this.drawReflections(drawing);
+    this.base.getContext("2d").drawImage(drawing.canvas, 0, 0);
+    this.base.dataset.drawn = "true";
+    this.drawing = null;
   }
 
   drawPolygon(context, polygon) {
@@ -162,6 +176,13 @@ export class ImageView {
     }
     return inside;
   }
+}
+
+// A context of the same size that is not on the page. Not by the graphics card, which is slow at many small paths.
+function drawingFor({ width, height }) {
+  const canvas = document.createElement("canvas");
+  Object.assign(canvas, { width, height });
+  return canvas.getContext("2d", { willReadFrequently: true });
 }
 
 // first: per polygon, and one past the end, its first ring; begin: per ring its first point in ring_points.
