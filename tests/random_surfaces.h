@@ -1,0 +1,23 @@
+// Random surfaces of some hundred facets, snapped to a small grid: large enough for patches that no contour edge comes
+// near and for facets behind covers, which the few faces of random_scenes.h hardly ever are.
+//
+// In:  a seed (the same on every machine). Out: a mesh and the camera that looks down on it.
+// Holds: 2 to 4 sheets of squares, one above the other, each square two triangles or one flat face; flat, wavy, or
+// with squares missing; they may touch and pass through each other. Sometimes a large triangle is somewhere between.
+#pragma once
+
+#include <cstdint>
+
+#include "geometry/camera.h"
+#include "geometry/mesh.h"
+
+namespace sightline::testing {
+
+struct RandomSurfaces {
+  Mesh mesh;  // not cut along common lines
+  Camera camera;
+};
+
+[[nodiscard]] RandomSurfaces random_surfaces(std::uint64_t seed);
+
+}  // namespace sightline::testing
