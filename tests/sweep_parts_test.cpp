@@ -1,11 +1,10 @@
-// The parts of the sweep by themselves: crossing points, the active edge list, node lists, depth.
+// The parts of the sweep by themselves: crossing points, the active edge list, node lists.
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <random>
 
-#include "geometry/common_lines.h"
-#include "geometry/culling.h"
+#include "geometry/projected_scene.h"
 #include "sweep/active_edge_list.h"
 #include "sweep/crossing_point.h"
 #include "sweep/depth_order.h"
@@ -140,88 +139,6 @@ TEST_CASE("the active edge list against a plain list: order, search, nearest vis
   CHECK(nearest_found > 500);
 }
 
-TEST_CASE("depth: the nearer of parallel faces, whichever way they are asked; ties go to the lower face") {
-  const Mesh mesh = stack({0, 1, 0.5, std::nextafter(1.0, 2.0)});
-  const ProjectedScene scene = project(mesh, from_above(), Sides::both);
-  DepthOrder depth(mesh, scene);
-  const std::vector<FacetId> front_to_back{FacetId(3), FacetId(1), FacetId(2), FacetId(0)};
-  for (std::size_t i = 0; i < 4; ++i) {
-    for (std::size_t j = i + 1; j < 4; ++j) {
-      CHECK(depth.nearer(front_to_back[i], front_to_back[j]));
-      CHECK_FALSE(depth.nearer(front_to_back[j], front_to_back[i]));
-    }
-  }
-}
-
-TEST_CASE("depth: faces that straddle each other's planes without meeting have an order") {
-  // Two bars that cross in the image, one above the other, both tilted so that each plane cuts the other bar.
-  PolygonList faces;
-  faces.push_back(std::array{VertexId(0), VertexId(1), VertexId(2)});
-  faces.push_back(std::array{VertexId(3), VertexId(4), VertexId(5)});
-  const Mesh mesh =
-      build_mesh({{-4, -0.5, 3}, {4, 0, -1}, {-4, 0.5, 3}, {-0.5, -4, -3}, {0.5, -4, -3}, {0, 4, 2}}, std::move(faces));
-  const ProjectedScene scene =
-      project(mesh, orthographic_camera("above", {{0, 0, 10}, {0, 0, 0}, {0, 1, 0}, 1, {}, {}}, 16), Sides::both);
-  DepthOrder depth(mesh, scene);
-  CHECK(depth.nearer(FacetId(0), FacetId(1)));
-  CHECK_FALSE(depth.nearer(FacetId(1), FacetId(0)));
-}
-
-TEST_CASE("depth: faces that straddle each other's planes and show no common place are ordered by index") {
-  // Side by side, sloping to the front and to the back.
-  const std::vector<Point3> left{{-3, -1, -1}, {-1, 0, 0}, {-3, 1, 1}};
-  const std::vector<Point3> right{{3, -1, 1}, {1, 0, 0}, {3, 1, -1}};
-  for (const bool left_first : {true, false}) {
-    std::vector<Point3> vertices = left_first ? left : right;
-    vertices.insert(vertices.end(), left_first ? right.begin() : left.begin(), left_first ? right.end() : left.end());
-    PolygonList faces;
-    faces.push_back(std::array{VertexId(0), VertexId(1), VertexId(2)});
-    faces.push_back(std::array{VertexId(3), VertexId(4), VertexId(5)});
-    const Mesh mesh = build_mesh(std::move(vertices), std::move(faces));
-    const ProjectedScene scene = project(mesh, from_above(), Sides::both);
-    DepthOrder depth(mesh, scene);
-    CHECK(depth.nearer(FacetId(0), FacetId(1)));
-    CHECK_FALSE(depth.nearer(FacetId(1), FacetId(0)));
-  }
-}
-
-// Where the ray from the origin meets the triangle, in multiples of the direction; 0 where it does not.
-static double distance_along(const Vector3& direction, const Point3& a, const Point3& b, const Point3& c) {
-  const double ab = dot(direction, cross(a, b));
-  const double bc = dot(direction, cross(b, c));
-  const double ca = dot(direction, cross(c, a));
-  const bool is_met = (ab > 0 && bc > 0 && ca > 0) || (ab < 0 && bc < 0 && ca < 0);
-  const double distance = dot(a, cross(b, c)) / (ab + bc + ca);
-  return is_met && distance > 0 ? distance : 0;
-}
-
-TEST_CASE("depth: of large faces around the eye, as rays have it") {
-  std::mt19937_64 random(seed);
-  const auto coordinate = [&] { return static_cast<double>(random() % 17) - 8; };
-  const auto place = [&] { return Point3{coordinate(), coordinate(), coordinate()}; };
-  const Camera camera = perspective_camera("eye", {{0, 0, 0}, {0, 0, 1}, {0, 1, 0}, 1, {}, {}}, 90);
-  int compared = 0;
-  for (int pair = 0; pair < 20000; ++pair) {
-    const std::vector<Point3> p{place(), place(), place(), place(), place(), place()};
-    const Vector3 direction{coordinate() / 8.5, coordinate() / 8.5, 1};
-    const double of_first = distance_along(direction, p[0], p[1], p[2]);
-    const double of_second = distance_along(direction, p[3], p[4], p[5]);
-    if (of_first == 0 || of_second == 0 || std::fabs(of_first - of_second) < 1e-9) continue;
-    PolygonList faces;
-    faces.push_back(std::array{VertexId(0), VertexId(1), VertexId(2)});
-    faces.push_back(std::array{VertexId(3), VertexId(4), VertexId(5)});
-    const Mesh mesh = build_mesh(p, std::move(faces));
-    if (mesh.facet_count() != 2 || !find_contacts(mesh).crossing.empty()) continue;
-    const ProjectedScene scene = project(mesh, camera, Sides::both);
-    DepthOrder depth(mesh, scene);
-    ++compared;
-    CAPTURE(pair);
-    CHECK(depth.nearer(FacetId(0), FacetId(1)) == (of_first < of_second));
-  }
-  MESSAGE("seed " << seed << ", " << compared << " pairs on a common ray");
-  CHECK(compared > 50);
-}
-
 TEST_CASE("a crossing counts once, however often its edges become neighbours") {
   // Two bars that cross, and between their upper ends a small triangle that parts their edges for a while.
   const std::vector<testing::Corners> bars{{{-6, 6, 0}, {-4, 6, 0}, {5, -6, 0}}, {{6, 6, 1}, {4, 6, 1}, {-5, -6, 1}}};
@@ -233,26 +150,6 @@ TEST_CASE("a crossing counts once, however often its edges become neighbours") {
     const VisibleSegments segments = sweep(mesh, project(mesh, camera, Sides::both));
     CHECK(segments.statistics.crossings == 4);
   }
-}
-
-TEST_CASE("depth: pieces of faces that pass through each other are in front on one side each") {
-  PolygonList faces;
-  faces.push_back(std::array{VertexId(0), VertexId(1), VertexId(2)});
-  faces.push_back(std::array{VertexId(3), VertexId(4), VertexId(5)});
-  const Mesh whole =
-      build_mesh({{-1, -1, -0.3}, {1, -1, 0.4}, {0, 1, 0}, {-1, 1, 0.3}, {1, 1, -0.4}, {0, -1, 0.1}}, std::move(faces));
-  const Mesh mesh = cut_along_common_lines(whole, find_contacts(whole));
-  REQUIRE(mesh.facet_count() == 4);
-  const ProjectedScene scene = project(mesh, from_above(), Sides::both);
-  DepthOrder depth(mesh, scene);
-  int first_in_front = 0;
-  for (const FacetId f : {FacetId(0), FacetId(1)}) {
-    for (const FacetId g : {FacetId(2), FacetId(3)}) {
-      CHECK(depth.nearer(f, g) != depth.nearer(g, f));
-      first_in_front += depth.nearer(f, g) ? 1 : 0;
-    }
-  }
-  CHECK(first_in_front == 2);
 }
 
 TEST_CASE("node lists: shallowest first, and the same contents whatever the way") {
