@@ -28,8 +28,9 @@ std::vector<std::string> parsed_peers(const std::string& text) {
 }
 
 std::vector<int> parsed_resolutions(const std::string& text) {
+  const std::string list = text.empty() ? "64,256,1024" : text;
   std::vector<int> resolutions;
-  for (const std::string_view part : split(text.empty() ? "64,256,1024" : text, ',')) {
+  for (const std::string_view part : split(list, ',')) {
     resolutions.push_back(parsed_whole_number(part, "--resolution", 1, most_pixels));
   }
   std::sort(resolutions.begin(), resolutions.end());
