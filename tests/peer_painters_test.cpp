@@ -185,7 +185,7 @@ TEST_CASE("in a ring of eight no bar is across its neighbours' planes: the split
 }
 
 TEST_CASE("as peers they give an item buffer and say how much work it was") {
-  const Mesh bars = bars_in_a_ring(4);
+  const Mesh bars = bars_in_a_ring(8);
   const ProjectedScene scene = project(bars, from_above(), Sides::both);
   const ItemBuffer truth = seen_by_rays(bars, scene, resolution);
   for (const Peer& peer : {depth_sort(), bsp_tree()}) {
