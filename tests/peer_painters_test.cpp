@@ -12,6 +12,7 @@
 #include "tests/oracle/judge.h"
 #include "tests/pixel_rays.h"
 #include "tests/polygon_mesh.h"
+#include "tests/random_surfaces.h"
 
 using namespace sightline;
 using namespace sightline::peers;
@@ -157,6 +158,17 @@ TEST_CASE("painters show what rays see: many triangles off any grid") {
   CHECK(all.bsp_splits > 0);
 }
 
+TEST_CASE("painters show what rays see: surfaces of some hundred facets") {
+  for (std::uint64_t seed = 1; seed <= oracle::scene_count(12); ++seed) {
+    CAPTURE(seed);
+    const testing::RandomSurfaces surfaces = testing::random_surfaces(seed);
+    const Painters painters = run_painters(surfaces.mesh, surfaces.camera, Sides::both);
+    CHECK(painters.wrong_by_depth_sort == 0);
+    CHECK(painters.wrong_by_bsp_tree == 0);
+    CHECK(painters.unresolved == 0);
+  }
+}
+
 TEST_CASE("bars that lie over each other in a ring: without its split depth sort is wrong, with it right") {
   for (const int count : {3, 4, 8}) {
     CAPTURE(count);
@@ -185,7 +197,7 @@ TEST_CASE("in a ring of eight no bar is across its neighbours' planes: the split
 }
 
 TEST_CASE("as peers they give an item buffer and say how much work it was") {
-  const Mesh bars = bars_in_a_ring(4);
+  const Mesh bars = bars_in_a_ring(8);
   const ProjectedScene scene = project(bars, from_above(), Sides::both);
   const ItemBuffer truth = seen_by_rays(bars, scene, resolution);
   for (const Peer& peer : {depth_sort(), bsp_tree()}) {
