@@ -9,10 +9,10 @@
 #include <string>
 
 #include "bench/generated_scenes.h"
-#include "cli/process_memory.h"
 #include "cli/face_measures.h"
 #include "cli/labelled_obj.h"
 #include "cli/labelled_ply.h"
+#include "cli/process_memory.h"
 #include "cli/segments_table.h"
 #include "cli/view_svg.h"
 #include "cli/window_points.h"

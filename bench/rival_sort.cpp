@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "cli/processor_time.h"
 #include "bench/rivals.h"
 #include "bench/scene_parts.h"
+#include "cli/processor_time.h"
 
 namespace sightline::bench {
 

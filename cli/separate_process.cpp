@@ -15,6 +15,8 @@
 #include <string_view>
 #include <system_error>
 
+#include "cli/memory_limit.h"
+
 namespace sightline {
 
 namespace {
@@ -29,9 +31,7 @@ void limit_this_process() {
   getrlimit(RLIMIT_STACK, &stack);
   stack.rlim_cur = stack.rlim_max;
   setrlimit(RLIMIT_STACK, &stack);
-  const auto memory = static_cast<rlim_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
-  const rlimit most{memory / 4 * 3, memory / 4 * 3};
-  setrlimit(RLIMIT_AS, &most);
+  hold_to(default_memory_limit());
 }
 
 bool write_all(int pipe_end, std::string_view bytes) {
