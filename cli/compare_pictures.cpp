@@ -52,7 +52,7 @@ void draw(const peers::VisibleLine& line, std::vector<Colour>& colours) {
     const double t = static_cast<double>(i) / steps;
     const int column = std::clamp(static_cast<int>(x + t * dx), 0, picture_size - 1);
     const int row = std::clamp(static_cast<int>(y + t * dy), 0, picture_size - 1);
-    colours[static_cast<std::size_t>(row * picture_size + column)] = ink;
+    colours[static_cast<std::size_t>(row) * picture_size + static_cast<std::size_t>(column)] = ink;
   }
 }
 

@@ -17,6 +17,10 @@ PartsOfFaces by_face(const VisibleParts& parts) {
   return faces;
 }
 
+std::size_t index_of(int column, int row, int resolution) {
+  return static_cast<std::size_t>(row) * static_cast<std::size_t>(resolution) + static_cast<std::size_t>(column);
+}
+
 std::size_t count_of(int resolution) {
   return static_cast<std::size_t>(resolution) * static_cast<std::size_t>(resolution);
 }
@@ -30,7 +34,7 @@ ItemBuffer in_pixels(const VisibleParts& parts, int resolution) {
   for (const auto& [face, of_face] : by_face(parts)) {
     const FaceId shown = face;
     PixelAreas(resolution, of_face).for_each([&](int column, int row, double area) {
-      const auto pixel = static_cast<std::size_t>(row * resolution + column);
+      const std::size_t pixel = index_of(column, row, resolution);
       nothing[pixel] -= area;
       if (area > most[pixel]) {
         most[pixel] = area;
@@ -40,7 +44,7 @@ ItemBuffer in_pixels(const VisibleParts& parts, int resolution) {
   }
   for (int row = 0; row < resolution; ++row) {
     for (int column = 0; column < resolution; ++column) {
-      const auto pixel = static_cast<std::size_t>(row * resolution + column);
+      const std::size_t pixel = index_of(column, row, resolution);
       if (nothing[pixel] > 0.5) buffer.paint(column, row, FaceId{});
     }
   }
@@ -59,7 +63,7 @@ std::vector<float> difference_in_pixels(const VisibleParts& seen, const VisibleP
   }
   for (const auto& [face, of_face] : faces) {
     PixelAreas(resolution, of_face).for_each([&](int column, int row, double area) {
-      const auto pixel = static_cast<std::size_t>(row * resolution + column);
+      const std::size_t pixel = index_of(column, row, resolution);
       differences[pixel] += std::abs(area);
       of_nothing[pixel] += area;
     });

@@ -62,7 +62,7 @@ Sign StepPredicates::add_corner_against_plane(VertexId v, FacetId plane) {
   return predicate.sign;
 }
 
-void StepPredicates::add_verdict(FacetId f, FacetId g, std::string decided_by, std::string because) {
+void StepPredicates::add_verdict(FacetId f, FacetId g, const std::string& decided_by, const std::string& because) {
   LoggedPredicate verdict{"depth", name(f) + " is in front of " + name(g) + ": " + because, "", {}, 1, {}, decided_by};
   if (decided_by == "ranges") {
     verdict.formula = "farthest of the one < nearest of the other";

@@ -50,7 +50,7 @@ class StepPredicates {
   // Whether the corners decide.
   bool add_corners_against_plane(FacetId f, FacetId g);
   Sign add_corner_against_plane(VertexId v, FacetId plane);
-  void add_verdict(FacetId f, FacetId g, std::string decided_by, std::string because);
+  void add_verdict(FacetId f, FacetId g, const std::string& decided_by, const std::string& because);
 
   [[nodiscard]] const std::string& name(FacetId f) const;
   [[nodiscard]] std::string name(EdgeId e) const;
