@@ -1,8 +1,9 @@
 // A mesh over a complete rectangular grid: whether it is one, and which vertex is where.
 //
 // In:  a mesh, the axis (0: x, 1: y, 2: z) that is to be its height.
-// Out: the grid of the other two coordinates; nothing where the mesh is no single-valued function over one: every pair of
-//      values has exactly one (welded) vertex, and each cell is covered exactly once, by one facet or by two triangles.
+// Out: the grid of the other two coordinates; nothing where the mesh is no single-valued function over one: every
+//      pair of values has exactly one (welded) vertex, and each cell is covered exactly once, by one facet or by two
+//      triangles.
 // Complexity: O(n log n). Errors: none.
 #pragma once
 

@@ -1,11 +1,11 @@
 // Which polygons obscure a line: the brute force that a seed needs, and the polygons around a vertex.
 //
 // In:  a flat scene, lines of it.
-// Out: at a point of a line, how many polygons lie before it; and at a vertex, how many of the polygons that have it hide
-//      the beginning of a line from there.
+// Out: at a point of a line, how many polygons lie before it; and at a vertex, how many of the polygons that have it
+//      hide the beginning of a line from there.
 // A polygon never obscures its own edges. The line is thought moved aside a little (shifted_side.h), and the point
-// towards the line's end. On which side of a polygon's plane a line lies is decided exactly on the input's coordinates;
-// where it passes through that plane, depths are compared in double.
+// towards the line's end. On which side of a polygon's plane a line lies is decided exactly on the input's
+// coordinates; where it passes through that plane, depths are compared in double.
 // Complexity: count_at O(n); count_beside O(polygons at the vertex).
 // Source: slides 004, "Quantitative Invisibility"; Foley and van Dam, 15.3.2, for the polygons around a vertex.
 #pragma once

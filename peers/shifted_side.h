@@ -1,8 +1,8 @@
 // On which side of a line a point is, for lines that are moved by an infinitesimal step: never on it.
 //
-// Lines whose visibility is asked for are thought moved to the right, and infinitely less upwards. Whatever lies on them
-// in the image, vertices and other edges, is then to one side of them, always the same one: nothing is counted twice or
-// not at all. Exact on the coordinates given.
+// Lines whose visibility is asked for are thought moved to the right, and infinitely less upwards. Whatever lies on
+// them in the image, vertices and other edges, is then to one side of them, always the same one: nothing is counted
+// twice or not at all. Exact on the coordinates given.
 // Source: Edelsbrunner and Mücke 1990, Simulation of Simplicity.
 #pragma once
 

@@ -26,8 +26,8 @@ struct ExactPart {
   [[nodiscard]] bool is_seen() const { return enter <= leave; }
 };
 
-// Which t of P0 + t D have value + t change <= 0, for each edge of a counter-clockwise polygon; not Cyrus and Beck's sets,
-// but the interval narrowed edge by edge.
+// Which t of P0 + t D have value + t change <= 0, for each edge of a counter-clockwise polygon; not Cyrus and Beck's
+// sets, but the interval narrowed edge by edge.
 ExactPart exact_part(const Line& line, std::span<const Point2> polygon) {
   ExactPart part;
   for (std::size_t i = 0; i < polygon.size(); ++i) {

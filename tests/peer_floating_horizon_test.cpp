@@ -1,4 +1,5 @@
-// The floating horizon against the exact sweep, at the columns' centres, on random height fields; and what it refuses.
+// The floating horizon against the exact sweep, at the columns' centres, on random height fields; and what it
+// refuses.
 #include "peers/floating_horizon.h"
 
 #include <doctest/doctest.h>
@@ -25,8 +26,8 @@ namespace {
 constexpr int resolution = 64;
 constexpr double tolerance = 1e-9;
 
-// y = f(x, z) over a grid of unequal cells, as triangles with either diagonal or, where it is not rough, as quadrangles,
-// too, most not planar. `turn` makes another axis the height.
+// y = f(x, z) over a grid of unequal cells, as triangles with either diagonal or, where it is not rough, as
+// quadrangles, too, most not planar. `turn` makes another axis the height.
 Mesh random_field(Dice& dice, int turn = 0) {
   std::array<std::vector<double>, 2> ground;
   for (auto& values : ground) {
@@ -201,9 +202,9 @@ TEST_CASE("Floating horizon: height fields seen by a level pinhole, from before,
   });
 }
 
-TEST_CASE("Floating horizon: a ridge across the polylines hides, though it is between their columns") {
-  // Seen from the corner, the ridge at x = 0 rises between the polylines z = 1 and z = -1 in the columns in which the far
-  // one, at z = -3, passes behind it.
+TEST_CASE("Floating horizon: a ridge across the polylines hides, though no polyline is as high in that column") {
+  // Seen from the corner, the ridge at x = 0 rises between the polylines z = 1 and z = -1 in the columns in which the
+  // far one, at z = -3, passes behind it.
   std::vector<testing::Corners> faces;
   const std::array xs{-3.0, 0.0, 3.0};
   const std::array zs{3.0, 1.0, -1.0, -3.0};
@@ -218,8 +219,8 @@ TEST_CASE("Floating horizon: a ridge across the polylines hides, though it is be
 }
 
 TEST_CASE("Floating horizon, the slides' arrays: a polyline is drawn above YMAX and below YMIN, and moves them there") {
-  // Three polylines of two edges each, seen from the front: the second one is hidden in its middle, the third all along
-  // but for its ends.
+  // Three polylines of two edges each, seen from the front: the second one is hidden in its middle, the third all
+  // along but for its ends.
   const auto polyline = [](double z, double left, double middle, double right) {
     return std::array{Point3{-1, left, z}, Point3{0, middle, z}, Point3{1, right, z}};
   };
