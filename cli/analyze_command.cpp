@@ -30,9 +30,7 @@ namespace {
 constexpr std::size_t stack_bytes = std::size_t{1} << 20;
 
 Scene scene_of(const AnalyzeOptions& options) {
-  Scene scene = options.input_is_scene()
-                    ? read_scene_file(options.input)
-                    : Scene{options.input, options.input, SidesPolicy::automatic, {*options.camera}, {}, {}};
+  Scene scene = read_scene(options.input, options.camera);
   scene.sides = options.sides.value_or(scene.sides);
   return scene;
 }

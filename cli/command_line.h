@@ -35,8 +35,6 @@ struct AnalyzeOptions {
   bool report_page = false;  // needs output
   bool json = false;
   bool quiet = false;
-
-  [[nodiscard]] bool input_is_scene() const { return !camera; }
 };
 
 struct StabilityOptions {

@@ -4,8 +4,8 @@
 #include <tbb/global_control.h>
 
 #include <algorithm>
-#include <filesystem>
 
+#include "cli/camera_choice.h"
 #include "cli/compare_page.h"
 #include "cli/compare_plot.h"
 #include "cli/compare_table.h"
@@ -19,19 +19,6 @@
 namespace sightline {
 
 namespace {
-
-Scene scene_of(const CompareOptions& options) {
-  if (!options.mesh_camera) return read_scene_file(options.input);
-  return {options.input, options.input, SidesPolicy::automatic, {*options.mesh_camera}, {}, {}};
-}
-
-const Camera& chosen_camera(const Scene& scene, const std::optional<std::string>& name) {
-  if (!name) return scene.cameras.front();
-  const auto has_name = [&](const Camera& camera) { return camera.name == *name; };
-  const auto found = std::find_if(scene.cameras.begin(), scene.cameras.end(), has_name);
-  if (found == scene.cameras.end()) throw InputError(scene.file, 0, fmt::format("there is no camera '{}'", *name));
-  return *found;
-}
 
 // The scene as the peers get it, and the truth.
 struct Ground {
@@ -69,8 +56,8 @@ std::vector<CompareRun> runs_of(const Ground& ground, const peers::FlatScene& fl
 }
 
 Comparison compared(const CompareOptions& options, Progress& progress) {
-  const Scene scene = scene_of(options);
-  const Camera& camera = chosen_camera(scene, options.camera);
+  const Scene scene = read_scene(options.input, options.mesh_camera);
+  const Camera& camera = options.camera ? camera_named(scene, *options.camera) : scene.cameras.front();
   const Ground ground = ground_of(scene, camera, progress);
   const peers::FlatScene flat = peers::flat_scene(ground.input.mesh, ground.scene);
   Comparison comparison{scene.file,
@@ -85,8 +72,7 @@ Comparison compared(const CompareOptions& options, Progress& progress) {
 }
 
 void write_results(const Comparison& comparison, const std::string& output) {
-  const auto path = std::filesystem::absolute(output + "/.").lexically_normal().parent_path();
-  OutputFolder folder(path.parent_path(), path.filename().string());
+  OutputFolder folder = output_folder_at(output);
   folder.write("compare.csv", compare_table(comparison));
   folder.write("compare.json", compare_json(comparison));
   folder.write("compare.svg", compare_plot(comparison));

@@ -52,7 +52,7 @@ void draw(const peers::VisibleLine& line, std::vector<Colour>& colours) {
     const double t = static_cast<double>(i) / steps;
     const int column = std::clamp(static_cast<int>(x + t * dx), 0, picture_size - 1);
     const int row = std::clamp(static_cast<int>(y + t * dy), 0, picture_size - 1);
-    colours[static_cast<std::size_t>(row) * picture_size + static_cast<std::size_t>(column)] = ink;
+    colours[peers::pixel_index(column, row, picture_size)] = ink;
   }
 }
 
@@ -77,7 +77,7 @@ ComparePictures pictures_of(const peers::VisibleParts& seen, const peers::ExactP
 }
 
 ComparePictures pictures_of(const peers::VisibleLines& seen) {
-  std::vector<Colour> colours(static_cast<std::size_t>(picture_size) * picture_size, paper);
+  std::vector<Colour> colours(peers::pixel_count(picture_size), paper);
   for (const peers::VisibleLine& line : seen) draw(line, colours);
   return {picture(picture_size, colours), ""};
 }

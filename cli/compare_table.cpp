@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cli/csv_text.h"
 #include "cli/text_buffer.h"
 
 namespace sightline {
@@ -9,12 +10,6 @@ namespace sightline {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string quoted(const std::string& text) {
-  std::string result = "\"";
-  for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return text.empty() ? "" : result + "\"";
-}
 
 const char* to_string(peers::ComputedAt computed_at) {
   return computed_at == peers::ComputedAt::image_precision ? "image" : "object";
@@ -41,14 +36,14 @@ void write_row(const CompareRun& run, TextBuffer& out) {
   const bool is_done = run.end == CompareEnd::done;
   out << run.peer.name << ',' << to_string(run.peer.computed_at) << ',';
   if (run.resolution) out << static_cast<std::uint32_t>(*run.resolution);
-  out << ',' << to_string(run.end) << ',' << quoted(run.why) << ',';
+  out << ',' << to_string(run.end) << ',' << csv_text(run.why) << ',';
   if (is_done) out << run.seconds;
   out << ',';
   if (is_done) out << run.peak_bytes;
   out << ',';
   write_errors(run.areas, out);
   write_errors(run.lines, out);
-  out << quoted(counts_text(run)) << '\n';
+  out << csv_text(counts_text(run)) << '\n';
 }
 
 Json errors_json(const std::optional<peers::AreaErrors>& errors) {

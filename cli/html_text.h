@@ -1,4 +1,4 @@
-// Text in HTML: what means something there is written so that it does not.
+// Text in HTML and SVG: what means something there is written so that it does not.
 #pragma once
 
 #include <string>

@@ -158,6 +158,11 @@ ReflectionOptions read_reflection(const toml::table& root, const std::string& pa
 
 }  // namespace
 
+Scene read_scene(const std::string& input, const std::optional<Camera>& mesh_camera) {
+  if (!mesh_camera) return read_scene_file(input);
+  return {input, input, SidesPolicy::automatic, {*mesh_camera}, {}, {}};
+}
+
 std::optional<SidesPolicy> sides_policy(std::string_view word) {
   if (word == "auto") return SidesPolicy::automatic;
   if (word == "front") return SidesPolicy::front;

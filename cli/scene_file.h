@@ -6,6 +6,7 @@
 // panel that is no planar polygon.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -17,6 +18,9 @@ namespace sightline {
 
 // The same for a text in memory; path is for messages and for what is relative to it.
 [[nodiscard]] Scene parse_scene(std::string_view text, const std::string& path);
+
+// A scene file, or, where a camera comes with it, a mesh that this camera sees.
+[[nodiscard]] Scene read_scene(const std::string& input, const std::optional<Camera>& mesh_camera);
 
 // "auto", "front" or "both"; nothing for another word.
 [[nodiscard]] std::optional<SidesPolicy> sides_policy(std::string_view word);

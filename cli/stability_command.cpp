@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <filesystem>
 
 #include "cli/output_folder.h"
 #include "cli/progress.h"
@@ -25,8 +24,7 @@ FamilyRuns runs_of(const StabilityFamily& family, Progress& progress) {
 }
 
 void write_results(const std::vector<FamilyRuns>& all, const std::string& output) {
-  const auto path = std::filesystem::absolute(output + "/.").lexically_normal().parent_path();
-  OutputFolder folder(path.parent_path(), path.filename().string());
+  OutputFolder folder = output_folder_at(output);
   folder.write("stability.csv", stability_table(all));
   for (const FamilyRuns& runs : all) folder.write(runs.family->name + ".svg", stability_plot(runs));
   folder.write("stability.html", stability_page(all));

@@ -6,6 +6,7 @@
 #include <array>
 #include <iterator>
 
+#include "cli/csv_text.h"
 #include "cli/line_plot.h"
 #include "cli/text_buffer.h"
 
@@ -15,16 +16,10 @@ namespace {
 
 constexpr std::array arithmetics{Arithmetic::single_precision, Arithmetic::double_precision, Arithmetic::exact};
 
-std::string quoted(const std::string& text) {
-  std::string result = "\"";
-  for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return text.empty() ? "" : result + "\"";
-}
-
 void write_row(const StabilityFamily& family, const StabilityRun& run, TextBuffer& out) {
   out << family.name << ',' << run.value << ',' << to_string(run.arithmetic) << ','
       << static_cast<std::uint32_t>(run.grid_bits) << ',' << std::uint64_t{run.faces} << ','
-      << (run.finished ? "yes" : "no") << ',' << (run.broken.empty() ? "yes" : "no") << ',' << quoted(run.broken)
+      << (run.finished ? "yes" : "no") << ',' << (run.broken.empty() ? "yes" : "no") << ',' << csv_text(run.broken)
       << ',';
   if (run.finished) out << run.area_error;
   out << ',';

@@ -2,13 +2,16 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <cerrno>
+#include <filesystem>
 
+#include "cli/camera_choice.h"
 #include "cli/command_line.h"
+#include "cli/durable_file.h"
 #include "cli/memory_limit.h"
-#include "cli/output_file.h"
 #include "cli/page_data.h"
 #include "cli/page_template.h"
+#include "cli/result_folders.h"
 #include "cli/scene_file.h"
 #include "cli/sweep_log_json.h"
 #include "cli/trace_examples.h"
@@ -39,27 +42,9 @@ std::string list_of_examples() {
   return text;
 }
 
-std::string names_of_cameras(const Scene& scene) {
-  std::string names;
-  for (const Camera& camera : scene.cameras) names += (names.empty() ? "" : ", ") + camera.name;
-  return names;
-}
-
-const Camera& chosen_camera(const Scene& scene, const std::optional<std::string>& name) {
-  if (!name) {
-    if (scene.cameras.size() == 1) return scene.cameras.front();
-    throw CommandLineError("the scene has several cameras: choose one with --camera, of " + names_of_cameras(scene));
-  }
-  const auto has_name = [&](const Camera& camera) { return camera.name == *name; };
-  const auto found = std::find_if(scene.cameras.begin(), scene.cameras.end(), has_name);
-  if (found == scene.cameras.end())
-    throw CommandLineError(fmt::format("--camera: the scene has no '{}'; it has {}", *name, names_of_cameras(scene)));
-  return *found;
-}
-
 Traced of_scene_file(const TraceOptions& options) {
   const Scene scene = read_scene_file(*options.input);
-  const Camera& camera = chosen_camera(scene, options.camera);
+  const Camera& camera = options.camera ? camera_named(scene, *options.camera) : only_camera(scene);
   Progress silent(false);
   MeshInput input = read_mesh(scene.mesh_file, Normals::passed_over, default_memory_limit(), silent);
   const Sides sides = decide_sides(input.mesh, input.contacts, camera, options.sides.value_or(scene.sides)).sides;
@@ -105,6 +90,16 @@ std::string text_of(const nlohmann::ordered_json& json) {
   return json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
+// It appears at once (result_folders.h), in a folder that is there.
+void write_file(const std::string& path, std::string_view content) {
+  const std::filesystem::path place = std::filesystem::absolute(path);
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(place.parent_path(), ignored)) fail_to_write(place, ENOENT);
+  ResultFolders results(place.parent_path());
+  results.write_beside(place.filename().string(), content);
+  results.publish();
+}
+
 std::string summary_of(const std::vector<SweepLog>& logs, const TraceOptions& options) {
   std::string text;
   for (const SweepLog& log : logs)
@@ -126,8 +121,8 @@ std::string trace_command(const TraceOptions& options) {
   const std::vector<SweepLog> logs = logs_of(traced, options.precision.value_or(traced.precision));
   const std::string json =
       text_of(sweep_logs_json({traced.title, traced.what, traced.camera.name, traced.camera.aspect}, logs));
-  if (options.log) write_output_file(*options.log, json);
-  if (options.output) write_output_file(*options.output, page_with_data(PageName::trace, packed(json)));
+  if (options.log) write_file(*options.log, json);
+  if (options.output) write_file(*options.output, page_with_data(PageName::trace, packed(json)));
   return summary_of(logs, options);
 }
 

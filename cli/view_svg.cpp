@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "cli/face_shade.h"
+#include "cli/html_text.h"
 #include "cli/text_buffer.h"
 #include "cli/window_points.h"
 
@@ -15,20 +16,6 @@ namespace sightline {
 namespace {
 
 constexpr double image_height = 800;  // pixels, for viewers that ask for a size
-
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '&') {
-      result += "&amp;";
-    } else if (c == '<') {
-      result += "&lt;";
-    } else {
-      result += c;
-    }
-  }
-  return result;
-}
 
 // In window units. Thinner where there are many polygons, so that strokes do not hide what they surround. Not a
 // vector-effect: librsvg ignores non-scaling-stroke.
@@ -44,7 +31,7 @@ std::string header(const Camera& camera, std::size_t polygons) {
       "<title>{}</title>\n"
       "<rect x=\"{}\" y=\"-1\" width=\"{}\" height=\"2\" fill=\"#faf8f4\"/>\n"
       "<g transform=\"scale({} -1)\" fill-rule=\"evenodd\" stroke-width=\"{}\" stroke-linejoin=\"round\">\n",
-      aspect * image_height, image_height, -aspect, 2 * aspect, escaped(camera.name), -aspect, 2 * aspect, aspect,
+      aspect * image_height, image_height, -aspect, 2 * aspect, html_text(camera.name), -aspect, 2 * aspect, aspect,
       stroke_width(polygons));
 }
 
@@ -141,7 +128,7 @@ void write_reflecting_triangles(const View& view, std::size_t number, const std:
 void write_panel(const View& view, const std::string& name, std::size_t number, const std::vector<Point2>& places,
                  TextBuffer& out) {
   const std::string_view colour = panel_colours[number % panel_colours.size()];
-  const std::string panel = escaped(name);
+  const std::string panel = html_text(name);
   out << "<g class=\"reflecting\" data-panel=\"" << panel << "\" fill=\"" << colour << "\" stroke=\"#7a5b00\">\n";
   if (view.reflections.mode == ReflectionMode::triangles) {
     write_reflecting_triangles(view, number, panel, out);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "peers/ring_area.h"
+
 namespace sightline::peers {
 namespace {
 
@@ -66,19 +68,13 @@ bool extents_overlap(const MinMax& a, const MinMax& b) {
 
 bool contains(const MinMax& extent, const Point2& p) { return extents_overlap(extent, {p, p}); }
 
-double area_of(const ConvexRing& ring) {
-  double twice = 0;
-  for (std::size_t i = 2; i < ring.size(); ++i) twice += side(ring[i - 1], ring[i], ring[0]);
-  return twice / 2;
-}
-
 bool is_below_resolution(const ConvexRing& ring) {
   double perimeter = 0;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Point2& q = after(ring, i);
     perimeter += std::hypot(q.x - ring[i].x, q.y - ring[i].y);
   }
-  return 2 * area_of(ring) <= std::ldexp(perimeter, -default_grid_bits);
+  return 2 * signed_area(ring) <= std::ldexp(perimeter, -default_grid_bits);
 }
 
 // Andrew's monotone chains (1979), with exact turns.

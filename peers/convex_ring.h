@@ -32,7 +32,6 @@ struct MinMax {
 [[nodiscard]] bool extents_overlap(const MinMax& a, const MinMax& b);
 [[nodiscard]] bool contains(const MinMax& extent, const Point2& p);
 
-[[nodiscard]] double area_of(const ConvexRing& ring);
 [[nodiscard]] bool is_below_resolution(const ConvexRing& ring);
 
 // The convex hull of a polygon's corners, exactly. Rounding to the grid may have dented the polygon, by less than a

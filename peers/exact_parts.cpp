@@ -33,13 +33,4 @@ ExactParts exact_parts(const ProjectedScene& scene, const VisibleSegments& segme
   return exact;
 }
 
-double signed_area(const std::vector<Point2>& ring) {
-  double twice = 0;
-  const Point2& first = ring.front();
-  for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
-    twice += (ring[i].x - first.x) * (ring[i + 1].y - first.y) - (ring[i].y - first.y) * (ring[i + 1].x - first.x);
-  }
-  return twice / 2;
-}
-
 }  // namespace sightline::peers

@@ -20,7 +20,4 @@ struct ExactParts {
 [[nodiscard]] ExactParts exact_parts(const ProjectedScene& scene, const VisibleSegments& segments,
                                      const VisiblePolygons& polygons);
 
-// Counter-clockwise positive.
-[[nodiscard]] double signed_area(const std::vector<Point2>& ring);
-
 }  // namespace sightline::peers

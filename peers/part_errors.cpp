@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "peers/ring_area.h"
 #include "peers/ring_grid.h"
 
 namespace sightline::peers {
@@ -38,7 +39,7 @@ double clipped_area(const Ring& ring, const std::array<Point2, 3>& triangle) {
     clip_to_left(clipped, triangle.at(i), triangle.at((i + 1) % 3), rest);
     clipped.swap(rest);
   }
-  return clipped.size() < 3 ? 0 : signed_area(clipped);
+  return signed_area(clipped);
 }
 
 FaceAreas areas_of(const VisibleParts& parts) {

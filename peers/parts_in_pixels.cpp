@@ -17,24 +17,16 @@ PartsOfFaces by_face(const VisibleParts& parts) {
   return faces;
 }
 
-std::size_t index_of(int column, int row, int resolution) {
-  return static_cast<std::size_t>(row) * static_cast<std::size_t>(resolution) + static_cast<std::size_t>(column);
-}
-
-std::size_t count_of(int resolution) {
-  return static_cast<std::size_t>(resolution) * static_cast<std::size_t>(resolution);
-}
-
 }  // namespace
 
 ItemBuffer in_pixels(const VisibleParts& parts, int resolution) {
   ItemBuffer buffer(resolution);
-  std::vector<double> most(count_of(resolution), 0);
-  std::vector<double> nothing(count_of(resolution), 1);
+  std::vector<double> most(pixel_count(resolution), 0);
+  std::vector<double> nothing(pixel_count(resolution), 1);
   for (const auto& [face, of_face] : by_face(parts)) {
     const FaceId shown = face;
     PixelAreas(resolution, of_face).for_each([&](int column, int row, double area) {
-      const std::size_t pixel = index_of(column, row, resolution);
+      const std::size_t pixel = pixel_index(column, row, resolution);
       nothing[pixel] -= area;
       if (area > most[pixel]) {
         most[pixel] = area;
@@ -44,7 +36,7 @@ ItemBuffer in_pixels(const VisibleParts& parts, int resolution) {
   }
   for (int row = 0; row < resolution; ++row) {
     for (int column = 0; column < resolution; ++column) {
-      const std::size_t pixel = index_of(column, row, resolution);
+      const std::size_t pixel = pixel_index(column, row, resolution);
       if (nothing[pixel] > 0.5) buffer.paint(column, row, FaceId{});
     }
   }
@@ -54,8 +46,8 @@ ItemBuffer in_pixels(const VisibleParts& parts, int resolution) {
 // As labels, nothing among them, the two cover each pixel once, so what one label has too much another has too little:
 // half the sum of all differences has it.
 std::vector<float> difference_in_pixels(const VisibleParts& seen, const VisibleParts& exact, int resolution) {
-  std::vector<double> differences(count_of(resolution), 0);
-  std::vector<double> of_nothing(count_of(resolution), 0);
+  std::vector<double> differences(pixel_count(resolution), 0);
+  std::vector<double> of_nothing(pixel_count(resolution), 0);
   PartsOfFaces faces = by_face(seen);
   for (VisiblePart part : exact) {
     std::reverse(part.ring.begin(), part.ring.end());
@@ -63,7 +55,7 @@ std::vector<float> difference_in_pixels(const VisibleParts& seen, const VisibleP
   }
   for (const auto& [face, of_face] : faces) {
     PixelAreas(resolution, of_face).for_each([&](int column, int row, double area) {
-      const std::size_t pixel = index_of(column, row, resolution);
+      const std::size_t pixel = pixel_index(column, row, resolution);
       differences[pixel] += std::abs(area);
       of_nothing[pixel] += area;
     });

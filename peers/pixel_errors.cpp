@@ -9,14 +9,13 @@ namespace {
 
 // Of each pixel what is right: the area of the face that it shows, or, where it shows none, what no face has.
 std::vector<double> right_parts(const ItemBuffer& seen, const VisibleParts& exact) {
-  const auto resolution = static_cast<std::size_t>(seen.resolution());
-  std::vector<double> of_face(resolution * resolution, 0);
-  std::vector<double> covered(resolution * resolution, 0);
+  std::vector<double> of_face(pixel_count(seen.resolution()), 0);
+  std::vector<double> covered(pixel_count(seen.resolution()), 0);
   for (auto first = exact.begin(); first != exact.end();) {
     const FaceId face = first->face;
     const auto last = std::find_if(first, exact.end(), [face](const VisiblePart& part) { return part.face != face; });
     PixelAreas(seen.resolution(), std::span(first, last)).for_each([&](int column, int row, double area) {
-      const std::size_t pixel = static_cast<std::size_t>(row) * resolution + static_cast<std::size_t>(column);
+      const std::size_t pixel = pixel_index(column, row, seen.resolution());
       covered[pixel] += area;
       if (seen.at(column, row) == face) of_face[pixel] += area;
     });
@@ -24,7 +23,7 @@ std::vector<double> right_parts(const ItemBuffer& seen, const VisibleParts& exac
   }
   for (int row = 0; row < seen.resolution(); ++row) {
     for (int column = 0; column < seen.resolution(); ++column) {
-      const std::size_t pixel = static_cast<std::size_t>(row) * resolution + static_cast<std::size_t>(column);
+      const std::size_t pixel = pixel_index(column, row, seen.resolution());
       if (!seen.at(column, row).valid()) of_face[pixel] = 1 - covered[pixel];
     }
   }

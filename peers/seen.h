@@ -9,12 +9,18 @@
 
 namespace sightline::peers {
 
+// Row by row from the top: where a pixel stands in an array of all.
+[[nodiscard]] constexpr std::size_t pixel_index(int column, int row, int resolution) {
+  return static_cast<std::size_t>(row) * static_cast<std::size_t>(resolution) + static_cast<std::size_t>(column);
+}
+
+[[nodiscard]] constexpr std::size_t pixel_count(int resolution) { return pixel_index(0, resolution, resolution); }
+
 // A face per pixel, as seen at the pixel's centre. The window's left upper corner is that of the first pixel; rows go
 // down.
 class ItemBuffer {
  public:
-  explicit ItemBuffer(int resolution)
-      : resolution_(resolution), faces_(static_cast<std::size_t>(resolution) * static_cast<std::size_t>(resolution)) {}
+  explicit ItemBuffer(int resolution) : resolution_(resolution), faces_(pixel_count(resolution)) {}
 
   [[nodiscard]] int resolution() const { return resolution_; }  // pixels along each side
   [[nodiscard]] FaceId at(int column, int row) const { return faces_[index(column, row)]; }
@@ -25,9 +31,7 @@ class ItemBuffer {
   [[nodiscard]] double y_of(int row) const { return 1 - (2 * row + 1.0) / resolution_; }
 
  private:
-  [[nodiscard]] std::size_t index(int column, int row) const {
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(resolution_) + static_cast<std::size_t>(column);
-  }
+  [[nodiscard]] std::size_t index(int column, int row) const { return pixel_index(column, row, resolution_); }
 
   int resolution_;
   std::vector<FaceId> faces_;  // invalid: nothing is seen

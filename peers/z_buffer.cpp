@@ -10,14 +10,12 @@ namespace {
 class ZBuffer {
  public:
   explicit ZBuffer(int resolution)
-      : framebuffer_(resolution),
-        z_buffer_(static_cast<std::size_t>(resolution) * static_cast<std::size_t>(resolution),
-                  std::numeric_limits<double>::infinity()) {}
+      : framebuffer_(resolution), z_buffer_(pixel_count(resolution), std::numeric_limits<double>::infinity()) {}
 
   void paint(const FlatPolygon& polygon) {
     for_each_covered_pixel(framebuffer_, polygon.corners, [&](int column, int row) {
       const double pz = polygon.plane.at(framebuffer_.x_of(column), framebuffer_.y_of(row));
-      double& z = z_at(column, row);
+      double& z = z_buffer_[pixel_index(column, row, framebuffer_.resolution())];
       ++touched_;
       if (!(pz < z)) return;
       z = pz;
@@ -31,11 +29,6 @@ class ZBuffer {
   }
 
  private:
-  double& z_at(int column, int row) {
-    return z_buffer_[static_cast<std::size_t>(row) * static_cast<std::size_t>(framebuffer_.resolution()) +
-                     static_cast<std::size_t>(column)];
-  }
-
   ItemBuffer framebuffer_;
   std::vector<double> z_buffer_;
   std::uint64_t touched_ = 0;

@@ -50,7 +50,6 @@ TEST_CASE("a mesh comes with a camera from the options") {
 
 TEST_CASE("a scene file comes with its own cameras") {
   const auto options = std::get<AnalyzeOptions>(parse({"analyze", "s.toml", "--json"}));
-  CHECK(options.input_is_scene());
   CHECK_FALSE(options.camera);
   CHECK_FALSE(options.output);
   CHECK(options.json);

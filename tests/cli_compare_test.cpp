@@ -166,6 +166,5 @@ TEST_CASE("compare: what is wrong on its command line") {
   CHECK(error_of({"--resolution", "0"}).starts_with("2 sightline: --resolution: '0' is not a whole number from 1 to "));
   CHECK(error_of({"--time-limit", "-1"}).starts_with("2 sightline: --time-limit: '-1' is not more than 0"));
   CHECK(error_of({"--eye", "1,2,3"}).starts_with("2 sightline: --eye, --target"));
-  CHECK(
-      error_of({"--camera", "none"}).starts_with(std::string("1 sightline: ") + fang + ": there is no camera 'none'"));
+  CHECK(error_of({"--camera", "none"}).starts_with("2 sightline: --camera: the scene has no 'none'; it has page"));
 }

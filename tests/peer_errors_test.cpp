@@ -9,6 +9,7 @@
 #include "peers/part_errors.h"
 #include "peers/pixel_areas.h"
 #include "peers/pixel_errors.h"
+#include "peers/ring_area.h"
 
 namespace sightline::peers {
 namespace {

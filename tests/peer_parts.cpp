@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "peers/convex_ring.h"
+#include "peers/ring_area.h"
 #include "sightline/analyze.h"
 
 namespace sightline::testing {
@@ -19,7 +20,7 @@ PartsCase parts_case(const peers::Peer& peer, const Mesh& mesh, const Camera& ca
   const peers::Outcome outcome = peer.run(peers::flat_scene(mesh, view.scene), 0);
   PartsCase result{std::get<VisibleParts>(outcome.seen), FaceAreas(mesh.face_count()), FaceAreas(mesh.face_count()),
                    outcome.counts};
-  for (const VisiblePart& part : result.parts) result.seen[part.face.index()] += peers::area_of(part.ring);
+  for (const VisiblePart& part : result.parts) result.seen[part.face.index()] += peers::signed_area(part.ring);
   for (const VisiblePolygon& polygon : view.polygons.polygons) result.exact[polygon.face.index()] += polygon.area;
   return result;
 }
@@ -37,7 +38,7 @@ double overlap_within_faces(const VisibleParts& parts) {
   for (std::size_t a = 0; a < parts.size(); ++a) {
     for (std::size_t b = a + 1; b < parts.size(); ++b) {
       if (parts[a].face != parts[b].face) continue;
-      total += peers::area_of(peers::overlap(parts[a].ring, parts[b].ring));
+      total += peers::signed_area(peers::overlap(parts[a].ring, parts[b].ring));
     }
   }
   return total;
