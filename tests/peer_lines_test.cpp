@@ -1,5 +1,6 @@
-// Appel's visible lines against the exact sweep's visible segments, as sets of points of the image: of Appel all visible
-// parts; of the sweep all segments but those along the window's border. Edges inside a planar face are in neither.
+// Appel's visible lines against the exact sweep's visible segments, as sets of points of the image: of Appel all
+// visible parts; of the sweep all segments but those along the window's border. Edges inside a planar face are in
+// neither.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -12,6 +13,7 @@
 #include "tests/oracle/judge.h"
 #include "tests/oracle/lattice.h"
 #include "tests/polygon_mesh.h"
+#include "tests/random_surfaces.h"
 #include "tests/visible_line_sets.h"
 
 using namespace sightline;
@@ -187,6 +189,19 @@ TEST_CASE("Appel: rough sheets one behind the other") {
   }
   CHECK(totals.hidden > 10 * totals.scenes);
   CHECK(totals.crossings > 10 * totals.scenes);
+}
+
+TEST_CASE("Appel: random surfaces of some hundred facets that do not touch") {
+  Totals totals;
+  const std::uint64_t count = oracle::scene_count(60);
+  for (std::uint64_t seed = 1; seed <= count; ++seed) {
+    const testing::RandomSurfaces surfaces = testing::random_surfaces(seed);
+    if (touches(surfaces.mesh)) continue;
+    CAPTURE(seed);
+    check_same(oracle::cut(surfaces.mesh), surfaces.camera, Sides::both, totals);
+  }
+  CHECK(totals.scenes > count / 4);
+  CHECK(totals.hidden > 50 * totals.scenes);
 }
 
 TEST_CASE(
