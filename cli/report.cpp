@@ -57,11 +57,12 @@ Report face_counts(const std::vector<FaceMeasures>& faces) {
   };
   const auto skipped = std::count_if(faces.begin(), faces.end(),
                                      [](const FaceMeasures& face) { return face.facing == FaceFacing::skipped; });
-  return {{"visible", with_label(Label::visible)},
-          {"hidden", with_label(Label::hidden)},
-          {"out_of_view", with_label(Label::out_of_view)},
-          {"back_facing", with_label(Label::back_facing)},
-          {"skipped", skipped}};
+  const auto reflecting = std::count_if(faces.begin(), faces.end(), [](const FaceMeasures& face) {
+    return std::any_of(face.reflecting_area.begin(), face.reflecting_area.end(), [](double area) { return area > 0; });
+  });
+  return {{"visible", with_label(Label::visible)},         {"reflecting", reflecting},
+          {"hidden", with_label(Label::hidden)},           {"out_of_view", with_label(Label::out_of_view)},
+          {"back_facing", with_label(Label::back_facing)}, {"skipped", skipped}};
 }
 
 Report counts_part(const MeshInput& input, const View& view, const std::vector<FaceMeasures>& faces) {

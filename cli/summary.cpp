@@ -8,12 +8,15 @@ namespace sightline {
 
 namespace {
 
-constexpr std::size_t name_width = 16;
+// The table of cameras, two lines of head above it, fills 80 columns.
+constexpr const char* camera_table_line = "{:12} {:>7} {:>8} {:>7} {:>7} {:>7} {:>10} {:>7} {:>7}\n";
+constexpr std::size_t camera_width = 12;
+constexpr std::size_t name_width = 16;  // in the other tables
 
 // Cut between characters: the bytes 10xxxxxx continue one.
-std::string shortened(const std::string& name) {
-  if (name.size() <= name_width) return name;
-  std::size_t end = name_width - 3;
+std::string shortened(const std::string& name, std::size_t width) {
+  if (name.size() <= width) return name;
+  std::size_t end = width - 3;
   while ((static_cast<unsigned char>(name[end]) & 0xC0U) == 0x80) --end;
   return name.substr(0, end) + "...";
 }
@@ -26,21 +29,21 @@ std::string scene_line(const Report& report) {
 }
 
 std::string table_head() {
-  return fmt::format("{:16} {:>7} {:>8} {:>8} {:>8} {:>11} {:>7} {:>8}\n", "", "faces", "", "out of", "back-", "area",
-                     "window", "time") +
-         fmt::format("{:16} {:>7} {:>8} {:>8} {:>8} {:>11} {:>7} {:>8}\n", "camera", "visible", "hidden", "view",
-                     "facing", "visible", "filled", "s");
+  const auto line = [](auto... words) { return fmt::format(camera_table_line, words...); };
+  return line("", "faces", "reflect-", "", "out of", "back-", "area", "window", "time") +
+         line("camera", "visible", "ing", "hidden", "view", "facing", "visible", "filled", "s");
 }
 
-// window filled: the share of the window that the surface covers.
+// reflecting: of the visible faces those that show a panel. window filled: the share of the window that the surface
+// covers.
 std::string camera_line(const Report& report) {
   const Report& faces = report["counts"]["faces"];
   const auto count = [&](const char* label) { return faces[label].get<std::size_t>(); };
   const double filled = 100 * (1 - report["areas"]["image_uncovered"].get<double>() / 4);
-  return fmt::format("{:16} {:>7} {:>8} {:>8} {:>8} {:>11.6g} {:>5.1f} % {:>8.3f}\n",
-                     shortened(report["camera"]["name"].get<std::string>()), count("visible"), count("hidden"),
-                     count("out_of_view"), count("back_facing"), report["areas"]["visible"].get<double>(), filled,
-                     report["times_s"]["total"].get<double>());
+  return fmt::format(camera_table_line, shortened(report["camera"]["name"].get<std::string>(), camera_width),
+                     count("visible"), count("reflecting"), count("hidden"), count("out_of_view"), count("back_facing"),
+                     fmt::format("{:.6g}", report["areas"]["visible"].get<double>()), fmt::format("{:.1f} %", filled),
+                     fmt::format("{:.3f}", report["times_s"]["total"].get<double>()));
 }
 
 // What each panel is worth to each camera: on the surface, and of what the camera sees of it.
@@ -52,8 +55,9 @@ std::string panel_lines(const std::vector<Report>& reports) {
     const double visible = report["areas"]["visible"].get<double>();
     for (const Report& panel : report["reflections"]["panels"]) {
       const double area = panel["area"].get<double>();
-      text += fmt::format("{:16} {:16} {:>16.6g} {:>14.2f} %\n", shortened(report["camera"]["name"].get<std::string>()),
-                          shortened(panel["name"].get<std::string>()), area, visible > 0 ? 100 * area / visible : 0.0);
+      text += fmt::format(
+          "{:16} {:16} {:>16.6g} {:>14.2f} %\n", shortened(report["camera"]["name"].get<std::string>(), name_width),
+          shortened(panel["name"].get<std::string>(), name_width), area, visible > 0 ? 100 * area / visible : 0.0);
     }
   }
   return text;

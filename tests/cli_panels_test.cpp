@@ -48,6 +48,8 @@ TEST_CASE("panels in faces.csv, report.json, labelled.ply, labelled.obj and view
   }
 
   const Json report = Json::parse(results.text("report.json"));
+  CHECK(report["counts"]["faces"]["visible"] == 2);
+  CHECK(report["counts"]["faces"]["reflecting"] == 2);
   const Json& reflections = report["reflections"];
   CHECK(reflections["mode"] == "exact");
   REQUIRE(reflections["panels"].size() == 2);
@@ -88,6 +90,9 @@ TEST_CASE("the summary says what each panel is worth") {
   REQUIRE(left != lines.end());
   CHECK(left->find(" 1 ") != std::string::npos);
   CHECK(left->ends_with(" %"));
+  const auto camera = std::ranges::find_if(lines, [](const std::string& line) { return line.starts_with("down "); });
+  CHECK(camera->starts_with("down               2        2       0 "));
+  CHECK(std::all_of(camera - 2, camera + 1, [](const std::string& line) { return line.size() <= 80; }));
   CHECK(left->size() <= 80);
 }
 

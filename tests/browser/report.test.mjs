@@ -36,10 +36,10 @@ test("opens from disk and says what report.json says", () =>
     assert.equal(rows.length, names.length);
     names.forEach((name, i) => {
       const { counts, areas } = JSON.parse(readFileSync(join(demo, name, "report.json"), "utf8"));
-      const { visible, hidden, out_of_view: outOfView, back_facing: backFacing } = counts.faces;
+      const { visible, reflecting, hidden, out_of_view: outOfView, back_facing: backFacing } = counts.faces;
       const cells = rows[i].split("\t").map((cell) => cell.trim());
-      assert.deepEqual(cells.slice(0, 5), [name, visible, hidden, outOfView, backFacing].map(String));
-      assert.ok(Math.abs(Number(cells[5]) - areas.visible) <= 1e-5 * areas.visible);
+      assert.deepEqual(cells.slice(0, 6), [name, visible, reflecting, hidden, outOfView, backFacing].map(String));
+      assert.ok(Math.abs(Number(cells[6]) - areas.visible) <= 1e-5 * areas.visible);
     });
   }));
 

@@ -35,6 +35,7 @@ function cameraTable(reports) {
   const rows = reports.map(({ camera, counts, areas, times_s: times }) => [
     camera.name,
     String(counts.faces.visible),
+    String(counts.faces.reflecting),
     String(counts.faces.hidden),
     String(counts.faces.out_of_view),
     String(counts.faces.back_facing),
@@ -43,8 +44,8 @@ function cameraTable(reports) {
     `${(100 * (1 - areas.image_uncovered / 4)).toFixed(1)} %`,
     seconds(times.total),
   ]);
-  const heads = ["camera", "visible faces", "hidden", "out of view", "back-facing", "visible area", "of the surface",
-    "window filled", "time"];
+  const heads = ["camera", "visible faces", "reflecting", "hidden", "out of view", "back-facing", "visible area",
+    "of the surface", "window filled", "time"];
   return table("What each camera sees", heads, rows);
 }
 
