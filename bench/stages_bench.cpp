@@ -75,6 +75,7 @@ void reflections_of_terrain(benchmark::State& state) {
   const Reflections& found = reflected.reflections;
   state.counters["visible"] = static_cast<double>(view.polygons.polygons.size());
   state.counters["pyramids"] = static_cast<double>(found.statistics.pyramids);
+  state.counters["obstacles"] = static_cast<double>(found.statistics.obstacles);
   state.counters["swept"] = static_cast<double>(found.statistics.blocked);
   state.counters["reflecting"] = static_cast<double>(found.panels[0].polygons.polygons.size());
 }

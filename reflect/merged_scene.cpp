@@ -1,21 +1,40 @@
 #include "reflect/merged_scene.h"
 
 #include <algorithm>
+#include <array>
+#include <functional>
 
 namespace sightline {
 namespace {
-
-bool in_sweep_order(const ImagePoint& a, const ImagePoint& b) { return sweeps_before(a, b); }
-
-bool in_edge_order(const ImageLine& a, const ImageLine& b) {
-  return a.top != b.top ? sweeps_before(a.top, b.top) : sweeps_before(a.bottom, b.bottom);
-}
 
 template <class Item, class Order>
 void sort_distinct(std::vector<Item>& items, Order order) {
   std::ranges::sort(items, order);
   items.erase(std::unique(items.begin(), items.end()), items.end());
 }
+
+// Two lists, each sorted and distinct, as one. Calls take(is_old, is_new) for each item of it, in order: which of the lists
+// have it at their head.
+template <class Compare, class Take>
+void for_each_merged(std::size_t old_count, std::size_t new_count, Compare compare, Take take) {
+  std::size_t i = 0;
+  std::size_t j = 0;
+  while (i < old_count || j < new_count) {
+    const int order = i == old_count ? 1 : j == new_count ? -1 : compare(i, j);
+    take(order <= 0, order >= 0);
+    i += order <= 0 ? 1 : 0;
+    j += order >= 0 ? 1 : 0;
+  }
+}
+
+CrossingPoint place_of(const ProjectedScene& scene, const Crossing& crossing) {
+  const SceneEdge& a = scene.edge(crossing.a);
+  const SceneEdge& b = scene.edge(crossing.b);
+  return crossing_point(scene.point(a.top), scene.point(a.bottom), scene.point(b.top), scene.point(b.bottom));
+}
+
+// Ids of points follow the sweep order, so they order edges.
+using EdgeEnds = std::array<PointId, 2>;
 
 class Merging {
  public:
@@ -34,10 +53,6 @@ class Merging {
   }
 
  private:
-  static ImageLine line(const ProjectedScene& scene, EdgeId e) {
-    return {scene.point(scene.edge(e).top), scene.point(scene.edge(e).bottom)};
-  }
-
   // The piece's own line, and those that cross at its ends.
   template <class Visit>
   static void for_each_line(const BorderPiece& piece, Visit visit) {
@@ -50,119 +65,172 @@ class Merging {
   }
 
   void number_points() {
-    auto& points = merged_.scene.points;
+    std::vector<ImagePoint> found;
     for (const BorderPiece& piece : pieces_) {
-      for_each_line(piece, [&](const ImageLine& l) { points.insert(points.end(), {l.top, l.bottom}); });
+      for_each_line(piece, [&](const ImageLine& l) { found.insert(found.end(), {l.top, l.bottom}); });
       for (const ImagePlace& place : {piece.start, piece.end}) {
-        if (place.on_grid) points.push_back(place.at.base);
+        if (place.on_grid) found.push_back(place.at.base);
       }
     }
-    sort_distinct(points, in_sweep_order);
+    sort_distinct(found, [](const ImagePoint& a, const ImagePoint& b) { return sweeps_before(a, b); });
+    auto& points = merged_.scene.points;
+    points.clear();
+    const auto compare = [&](std::size_t i, std::size_t j) {
+      return scene_.points[i] == found[j] ? 0 : sweeps_before(scene_.points[i], found[j]) ? -1 : 1;
+    };
+    std::size_t next_found = 0;
+    for_each_merged(scene_.points.size(), found.size(), compare, [&](bool is_old, bool is_new) {
+      const PointId id(points.size());
+      points.push_back(is_old ? scene_.points[point_of_old_.size()] : found[next_found]);
+      if (is_old) point_of_old_.push_back(id);
+      if (is_new) ++next_found;
+    });
   }
 
   [[nodiscard]] PointId scene_point(const ImagePoint& p) const {
     const auto& points = merged_.scene.points;
-    return PointId(static_cast<std::size_t>(std::ranges::lower_bound(points, p, in_sweep_order) - points.begin()));
+    const auto found = std::ranges::partition_point(points, [&](const ImagePoint& q) { return sweeps_before(q, p); });
+    return PointId(static_cast<std::size_t>(found - points.begin()));
+  }
+
+  [[nodiscard]] EdgeEnds ends_of(const ImageLine& l) const { return {scene_point(l.top), scene_point(l.bottom)}; }
+  [[nodiscard]] EdgeEnds ends_of_old(EdgeId e) const {
+    return {point_of_old_[scene_.edge(e).top.index()], point_of_old_[scene_.edge(e).bottom.index()]};
   }
 
   // Edges come with the sides that they had.
   void number_edges() {
-    for (std::size_t e = 0; e < scene_.edge_count(); ++e) lines_.push_back(line(scene_, EdgeId(e)));
-    const std::vector<ImageLine> old = lines_;
+    std::vector<EdgeEnds> found;
     for (const BorderPiece& piece : pieces_) {
-      for_each_line(piece, [this](const ImageLine& l) { lines_.push_back(l); });
+      for_each_line(piece, [&](const ImageLine& l) { found.push_back(ends_of(l)); });
     }
-    sort_distinct(lines_, in_edge_order);
-    merged_.scene.edges.clear();
+    sort_distinct(found, std::less<>());
+    auto& edges = merged_.scene.edges;
+    edges.clear();
     merged_.scene.sides.clear();
-    std::size_t next_old = 0;
-    for (const ImageLine& l : lines_) {
-      const auto first_side = static_cast<std::uint32_t>(merged_.scene.sides.size());
-      merged_.scene.edges.push_back({scene_point(l.top), scene_point(l.bottom), first_side});
-      if (next_old == old.size() || old[next_old] != l) continue;
-      const auto sides = scene_.sides_of(EdgeId(next_old++));
-      merged_.scene.sides.insert(merged_.scene.sides.end(), sides.begin(), sides.end());
-    }
-    const auto end = static_cast<std::uint32_t>(merged_.scene.sides.size());
-    merged_.scene.edges.push_back({PointId{}, PointId{}, end});
+    std::size_t next_found = 0;
+    const auto compare = [&](std::size_t i, std::size_t j) {
+      const EdgeEnds old = ends_of_old(EdgeId(i));
+      return old == found[j] ? 0 : old < found[j] ? -1 : 1;
+    };
+    for_each_merged(scene_.edge_count(), found.size(), compare, [&](bool is_old, bool is_new) {
+      const EdgeEnds ends = is_old ? ends_of_old(EdgeId(edge_of_old_.size())) : found[next_found];
+      if (is_old) {
+        add_edge(ends, scene_.sides_of(EdgeId(edge_of_old_.size())));
+        edge_of_old_.emplace_back(edges.size() - 1);
+      } else {
+        add_edge(ends, {});
+      }
+      if (is_new) ++next_found;
+    });
+    add_edge({}, {});
   }
 
+  void add_edge(const EdgeEnds& ends, std::span<const EdgeSide> sides) {
+    auto& all = merged_.scene.sides;
+    merged_.scene.edges.push_back({ends[0], ends[1], static_cast<std::uint32_t>(all.size())});
+    all.insert(all.end(), sides.begin(), sides.end());
+  }
+
+  [[nodiscard]] EdgeId edge_of_old(EdgeId e) const { return edge_of_old_[e.index()]; }
   [[nodiscard]] EdgeId edge(const ImageLine& l) const {
-    return EdgeId(static_cast<std::size_t>(std::ranges::lower_bound(lines_, l, in_edge_order) - lines_.begin()));
+    const EdgeEnds ends = ends_of(l);
+    const auto real = std::span(merged_.scene.edges).first(merged_.scene.edge_count());
+    const auto before = [&](const SceneEdge& e) { return EdgeEnds{e.top, e.bottom} < ends; };
+    return EdgeId(static_cast<std::size_t>(std::ranges::partition_point(real, before) - real.begin()));
   }
 
-  // A crossing of either origin. Where a scene point is at the same place, that stands for it, and else the crossing that
-  // comes first here: of the sweep's own, if it has one.
-  struct Candidate {
+  // Where a piece ends in a crossing.
+  struct PieceEnd {
     CrossingPoint at;
     EdgeId a;
     EdgeId b;
-    std::size_t origin = 0;  // an index into the sweep's crossings, and from there on into the pieces' ends
+    std::size_t number = 0;  // 2 i for the start of piece i, 2 i + 1 for its end
   };
 
-  void number_crossings() {
-    std::vector<Candidate> candidates;
-    for (std::size_t c = 0; c < segments_.crossings.size(); ++c) {
-      const ImageLine a = line(scene_, segments_.crossings[c].a);
-      const ImageLine b = line(scene_, segments_.crossings[c].b);
-      candidates.push_back({crossing_point(a.top, a.bottom, b.top, b.bottom), edge(a), edge(b), c});
-    }
-    const std::size_t first_new = candidates.size();
+  [[nodiscard]] std::vector<PieceEnd> crossing_ends() const {
+    std::vector<PieceEnd> ends;
     for (std::size_t i = 0; i < 2 * pieces_.size(); ++i) {
       const ImagePlace& p = i % 2 == 0 ? pieces_[i / 2].start : pieces_[i / 2].end;
-      if (!p.on_grid) candidates.push_back({p.at, edge(p.a), edge(p.b), segments_.crossings.size() + i});
+      if (!p.on_grid) ends.push_back({p.at, edge(p.a), edge(p.b), i});
     }
-    const auto in_order = [](const Candidate& a, const Candidate& b) {
+    std::sort(ends.begin(), ends.end(), [](const PieceEnd& a, const PieceEnd& b) {
       const int order = sweep_compare(a.at, b.at);
-      return order != 0 ? order < 0 : a.origin < b.origin;
-    };
-    const auto middle = candidates.begin() + static_cast<std::ptrdiff_t>(first_new);
-    std::sort(middle, candidates.end(), in_order);
-    std::inplace_merge(candidates.begin(), middle, candidates.end(), in_order);
+      return order != 0 ? order < 0 : a.number < b.number;
+    });
+    return ends;
+  }
+
+  // In sweep order. Of crossings at the same place the sweep's own comes first, if there is one, and stands for all.
+  void number_crossings() {
     point_of_.resize(segments_.crossings.size() + 2 * pieces_.size());
     merged_.segments.crossings.clear();
-    const Candidate* last = nullptr;
-    for (const Candidate& c : candidates) {
-      const PointId known = scene_point_at(c.at);
-      if (!known.valid() && (last == nullptr || sweep_compare(last->at, c.at) != 0)) {
-        merged_.segments.crossings.push_back({c.a, c.b, next_scene_point(c.at)});
-        last = &c;
-      }
-      point_of_[c.origin] =
-          known.valid() ? known : PointId(merged_.scene.points.size() + merged_.segments.crossings.size() - 1);
+    std::size_t next_old = 0;
+    const auto add_old_up_to = [&](std::size_t end) {
+      for (; next_old < end; ++next_old) point_of_[next_old] = number_of_old(next_old);
+    };
+    for (const PieceEnd& end : crossing_ends()) {
+      add_old_up_to(first_old_after(end.at, next_old));
+      point_of_[segments_.crossings.size() + end.number] = number_of(end);
     }
+    add_old_up_to(segments_.crossings.size());
   }
 
-  // The first scene point at or after the crossing in sweep order.
-  [[nodiscard]] PointId next_scene_point(const CrossingPoint& at) const {
-    const auto& points = merged_.scene.points;
-    const auto found =
+  [[nodiscard]] std::size_t first_old_after(const CrossingPoint& at, std::size_t from) const {
+    const auto rest = std::span(segments_.crossings).subspan(from);
+    const auto is_not_after = [&](const Crossing& c) { return sweep_compare(place_of(scene_, c), at) <= 0; };
+    return from + static_cast<std::size_t>(std::ranges::partition_point(rest, is_not_after) - rest.begin());
+  }
+
+  // Only points that are new since can be between the crossing and the points that it was between.
+  PointId number_of_old(std::size_t crossing) {
+    const Crossing& old = segments_.crossings[crossing];
+    const std::size_t after = old.after.index();
+    const std::size_t first = after == 0 ? 0 : point_of_old_[after - 1].index() + 1;
+    const std::size_t end = after == point_of_old_.size() ? merged_.scene.points.size() : point_of_old_[after].index();
+    const Crossing renamed{edge_of_old(old.a), edge_of_old(old.b), PointId(end)};
+    return first == end ? added(renamed) : scene_point_or_added(renamed, place_of(scene_, old), first, end);
+  }
+
+  PointId number_of(const PieceEnd& end) {
+    const auto& known = merged_.segments.crossings;
+    if (!known.empty() && sweep_compare(place_of(merged_.scene, known.back()), end.at) == 0) return last_crossing();
+    return scene_point_or_added({end.a, end.b, PointId{}}, end.at, 0, merged_.scene.points.size());
+  }
+
+  // The scene point that is there, else the crossing. [first, end): of the scene points that come at or after it, the first
+  // is among these or is `end`.
+  PointId scene_point_or_added(Crossing crossing, const CrossingPoint& at, std::size_t first, std::size_t end) {
+    const auto points = std::span(merged_.scene.points).subspan(first, end - first);
+    const auto next =
         std::ranges::partition_point(points, [&](const ImagePoint& p) { return sweep_compare(at, p) > 0; });
-    return PointId(static_cast<std::size_t>(found - points.begin()));
+    crossing.after = PointId(first + static_cast<std::size_t>(next - points.begin()));
+    return next != points.end() && sweep_compare(at, *next) == 0 ? crossing.after : added(crossing);
   }
 
-  [[nodiscard]] PointId scene_point_at(const CrossingPoint& at) const {
-    const PointId next = next_scene_point(at);
-    const bool same = next.index() < merged_.scene.points.size() && sweep_compare(at, merged_.scene.point(next)) == 0;
-    return same ? next : PointId{};
+  PointId added(const Crossing& crossing) {
+    merged_.segments.crossings.push_back(crossing);
+    return last_crossing();
+  }
+  [[nodiscard]] PointId last_crossing() const {
+    return PointId(merged_.scene.points.size() + merged_.segments.crossings.size() - 1);
   }
 
   [[nodiscard]] PointId renamed(PointId p) const {
-    if (p.index() < scene_.points.size()) return scene_point(scene_.point(p));
+    if (p.index() < scene_.points.size()) return point_of_old_[p.index()];
     return point_of_[p.index() - scene_.points.size()];
   }
-  [[nodiscard]] EdgeId renamed(EdgeId e) const { return edge(line(scene_, e)); }
 
   void rename() {
     for (ClippedCorner& corner : merged_.scene.polygon_corners) corner.point = renamed(corner.point);
     for (VisibleSegment& s : merged_.segments.segments) {
       s.start = renamed(s.start);
       s.end = renamed(s.end);
-      s.edge = renamed(s.edge);
+      s.edge = edge_of_old(s.edge);
     }
     for (Thread& thread : merged_.segments.threads) thread.top = renamed(thread.top);
     for (EdgeSplit& split : merged_.segments.splits) {
-      split.edge = renamed(split.edge);
+      split.edge = edge_of_old(split.edge);
       split.point = renamed(split.point);
     }
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
@@ -178,8 +246,9 @@ class Merging {
   const ProjectedScene& scene_;
   const VisibleSegments& segments_;
   std::span<const BorderPiece> pieces_;
-  std::vector<ImageLine> lines_;   // per edge of the merged scene
-  std::vector<PointId> point_of_;  // per crossing of the sweep, then per end of a piece
+  std::vector<PointId> point_of_old_;  // per point of the scene
+  std::vector<EdgeId> edge_of_old_;    // per edge of the scene
+  std::vector<PointId> point_of_;      // per crossing of the sweep, then per end of a piece
   MergedScene merged_;
 };
 

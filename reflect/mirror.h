@@ -41,17 +41,19 @@ class Mirror {
     std::vector<ImagePolygon> polygons;
     WindowPart part;
     ExactPlane towards_centre;  // the panel's plane, with the mirror camera in front
+    BallForm towards_centre_ball;
   };
 
   [[nodiscard]] const PanelImage& image_of(std::size_t panel);
   [[nodiscard]] std::vector<ImagePolygon> shadows(const WindowPart& part, std::size_t panel, const PanelImage& image,
-                                                  ReflectionStatistics& statistics) const;
-  void add_shadow(std::vector<ImagePolygon>& shadows, const CutPolygon& obstacle, const PanelImage& image) const;
+                                                  ReflectionStatistics& statistics);
+  [[nodiscard]] ImagePolygon shadow(const Mesh& mesh, WholeId obstacle, const PanelImage& image);
+  [[nodiscard]] MirrorView& exact_view();
 
   const MirrorWorld& world_;
   const ProjectedScene& scene_;
-  std::array<Point3, 3> plane_;  // three points of it, counter-clockwise seen from the eye
-  std::optional<MirrorView> view_;
+  MirroredForms forms_;
+  std::optional<MirrorView> view_;  // made where the forms do not suffice
   std::map<std::size_t, PanelImage> images_;
 };
 

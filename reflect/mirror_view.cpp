@@ -1,6 +1,7 @@
 #include "reflect/mirror_view.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "geometry/clipping.h"
 
@@ -66,23 +67,28 @@ MirrorView::MirrorView(const Camera& camera, const ExactPlane& mirror, int grid_
 
 Sign MirrorView::side_of_centre(const ExactPlane& plane) const { return plane.side(centre_); }
 
-std::vector<ImagePoint> MirrorView::image(CutPolygon polygon) const {
+ImagePolygon MirrorView::image(CutPolygon polygon) const {
   polygon = part_in_front(polygon, mirror_);
   for (const ExactPlane& bound : bounds_) {
     if (polygon.empty()) return {};
     polygon = part_in_front(polygon, bound);
   }
-  std::vector<ImagePoint> image;
+  ImagePolygon image;
   for (const CutCorner& corner : polygon) {
     ExactCorner seen;
     seen.x = x_.height(corner.position);
     seen.y = y_.height(corner.position);
     seen.w = w_.height(corner.position);
-    const ImagePoint p = round_to_grid(seen, grid_bits_);
-    if (image.empty() || image.back() != p) image.push_back(p);
+    image.push_back(round_to_grid(seen, grid_bits_));
   }
-  while (image.size() > 1 && image.back() == image.front()) image.pop_back();
-  return image.size() < 3 ? std::vector<ImagePoint>{} : image;
+  return distinct_corners(image);
+}
+
+ImagePolygon distinct_corners(const ImagePolygon& corners) {
+  ImagePolygon distinct;
+  std::unique_copy(corners.begin(), corners.end(), std::back_inserter(distinct));
+  while (distinct.size() > 1 && distinct.back() == distinct.front()) distinct.pop_back();
+  return distinct.size() < 3 ? ImagePolygon{} : distinct;
 }
 
 }  // namespace sightline

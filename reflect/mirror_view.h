@@ -17,7 +17,7 @@
 
 #include "geometry/camera.h"
 #include "geometry/facet_cutter.h"
-#include "geometry/image_point.h"
+#include "reflect/sheets.h"
 
 namespace sightline {
 
@@ -28,7 +28,7 @@ class MirrorView {
   // On which side of a plane the mirror camera's centre is (for an orthographic camera: its direction to the viewer).
   [[nodiscard]] Sign side_of_centre(const ExactPlane& plane) const;
 
-  [[nodiscard]] std::vector<ImagePoint> image(CutPolygon polygon) const;
+  [[nodiscard]] ImagePolygon image(CutPolygon polygon) const;
 
  private:
   ExactPlane mirror_;
@@ -37,6 +37,9 @@ class MirrorView {
   std::array<ExactPlane, 4> bounds_;
   int grid_bits_;
 };
+
+// Without corners that are those before them; empty where fewer than three are left.
+[[nodiscard]] ImagePolygon distinct_corners(const ImagePolygon& corners);
 
 // The camera's eye as an exact position; w = 0 for a direction.
 [[nodiscard]] ExactPosition exact_eye(const Camera& camera);

@@ -1,8 +1,8 @@
 // The pyramid from the mirror camera through a part of the window, cut off at the mirror: a test that may say "perhaps".
 //
-// In:  a mirror's plane, by three of its points, with the eye in front; a rectangle of the window.
-// Out: whether a box may have a point in the pyramid. False is proven: every number is an interval that holds the true
-//      one, its ends moved outwards after each operation. What is true may yet have no point in it.
+// In:  the camera's forms in the mirror; a rectangle of the window.
+// Out: whether a box may have a point in the pyramid. False is proven: every number is a ball (ball.h) that holds the true
+//      one. What is true may yet have no point in it.
 // Complexity: O(1).
 // Source: Koucky 2014, 3.9 (pyramid C_r, figure 3.10).
 #pragma once
@@ -10,7 +10,7 @@
 #include <array>
 
 #include "geometry/box_hierarchy.h"
-#include "geometry/camera.h"
+#include "reflect/mirrored_forms.h"
 
 namespace sightline {
 
@@ -26,23 +26,14 @@ struct WindowPart {
 
 [[nodiscard]] WindowPart common_part(const WindowPart& a, const WindowPart& b);
 
-// Holds the true value: low <= value <= high. Not a number in either: nothing is known.
-struct Interval {
-  double low = 0;
-  double high = 0;
-};
-
 class Pyramid {
  public:
-  Pyramid(const Camera& camera, const std::array<Point3, 3>& mirror, const WindowPart& part);
+  Pyramid(const MirroredForms& forms, const WindowPart& part);
 
   [[nodiscard]] bool may_touch(const Box& box) const;
 
  private:
-  // x, y, z and constant: what is in the pyramid has no negative value.
-  using Form = std::array<Interval, 4>;
-  [[nodiscard]] static bool is_beyond(const Form& form, const Box& box);
-  std::array<Form, 5> forms_;  // left, right, bottom, top, mirror
+  std::array<BallForm, 5> forms_;  // left, right, bottom, top, mirror: what is in the pyramid has no negative value
 };
 
 }  // namespace sightline

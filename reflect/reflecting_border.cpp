@@ -1,6 +1,7 @@
 #include "reflect/reflecting_border.h"
 
 #include <algorithm>
+#include <map>
 
 #include "geometry/errors.h"
 #include "geometry/facet_plane.h"
@@ -72,6 +73,22 @@ void for_each_surface(const Mesh& mesh, const VisibleSegments& segments, Visit v
   }
 }
 
+// The edges along which a surface that reflects is visible.
+std::map<FacetId, std::vector<EdgeId>> edges_of_reflecting(const VisibleSegments& reflecting, const Mesh& mesh,
+                                                           const VisibleSegments& visible) {
+  std::map<FacetId, std::vector<EdgeId>> edges_of;
+  std::vector<bool> reflects(mesh.facet_count());
+  for (const VisibleSegment& s : reflecting.segments) {
+    reflects[surface_of(mesh, s.facet).index()] = true;
+    edges_of[surface_of(mesh, s.facet)];
+  }
+  for (const VisibleSegment& s : visible.segments) {
+    const FacetId surface = surface_of(mesh, s.facet);
+    if (reflects[surface.index()]) edges_of[surface].push_back(s.edge);
+  }
+  return edges_of;
+}
+
 std::vector<PointId> start_points(const VisibleSegments& segments, const std::vector<SegmentId>& ids) {
   std::vector<PointId> points;
   for (const SegmentId s : ids) points.push_back(segments.segments[s.index()].start);
@@ -101,11 +118,11 @@ VisibleSegments reflecting_segments(const Mesh& mesh, const MergedScene& merged,
 
 void find_splits(VisibleSegments& reflecting, const Mesh& mesh, const ProjectedScene& scene,
                  const VisibleSegments& visible) {
+  if (reflecting.segments.empty()) return;
   const EdgeSides sides(scene, visible);
-  std::vector<std::vector<EdgeId>> edges_of(mesh.facet_count());
-  for (const VisibleSegment& s : visible.segments) edges_of[surface_of(mesh, s.facet).index()].push_back(s.edge);
+  auto edges_of = edges_of_reflecting(reflecting, mesh, visible);
   for_each_surface(mesh, reflecting, [&](FacetId surface, const std::vector<SegmentId>& ids) {
-    auto& edges = edges_of[surface.index()];
+    auto& edges = edges_of.at(surface);
     std::ranges::sort(edges);
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
     for (const PointId p : start_points(reflecting, ids)) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "reflect/mirror.h"
 #include "reflect/reflecting_border.h"
@@ -89,16 +90,15 @@ class Reflection {
 
   // Approximate places are off by less than one spacing.
   [[nodiscard]] WindowPart part_around(std::size_t polygon) const {
-    WindowPart part{1, -1, 1, -1};
-    const auto window = [this](double grid) { return std::ldexp(grid, -scene_.grid_bits); };
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    WindowPart grid{infinity, -infinity, infinity, -infinity};
     for_each_segment(polygon, [&](const VisibleSegment& s) {
       const Point2& p = points_.approximate(s.start);
-      part.left = std::min(part.left, window(std::floor(p.x) - 1));
-      part.right = std::max(part.right, window(std::ceil(p.x) + 1));
-      part.bottom = std::min(part.bottom, window(std::floor(p.y) - 1));
-      part.top = std::max(part.top, window(std::ceil(p.y) + 1));
+      grid = {std::min(grid.left, p.x), std::max(grid.right, p.x), std::min(grid.bottom, p.y), std::max(grid.top, p.y)};
     });
-    return part;
+    const auto window = [this](double place) { return std::ldexp(place, -scene_.grid_bits); };
+    return {window(std::floor(grid.left) - 1), window(std::ceil(grid.right) + 1), window(std::floor(grid.bottom) - 1),
+            window(std::ceil(grid.top) + 1)};
   }
 
   [[nodiscard]] std::vector<SurfacePiece> pieces_of(std::size_t panel, const MergedScene& merged) const {
