@@ -109,9 +109,21 @@ void add_arithmetic(GoalRows& rows) {
            ratio(last.view.sum, last.double_precision));
 }
 
+void add_command(GoalRows& rows, const CommandResult& command) {
+  if (command.threads) {
+    rows.add("1 thread / 2 threads, by the clock on the wall", at_least(1.7),
+             ratio(command.threads->one, command.threads->two));
+    rows.add("1 and 2 threads: the same bytes (1: yes)", at_least(1), command.threads->same_bytes);
+  }
+  if (command.reflection)
+    rows.add("reflection / view", at_most(1), ratio(command.reflection->reflection, command.reflection->visibility));
+  if (command.writing)
+    rows.add("writing all outputs / view", at_most(1), ratio(command.writing->writing, command.writing->visibility));
+}
+
 }  // namespace
 
-std::string goals_table(const std::vector<FamilyResult>& results, const std::optional<ReflectionFigures>& reflection) {
+std::string goals_table(const std::vector<FamilyResult>& results, const CommandResult& command) {
   GoalRows rows(results);
   add_parse(rows);
   add_exponents(rows);
@@ -120,8 +132,8 @@ std::string goals_table(const std::vector<FamilyResult>& results, const std::opt
   add_gl2ps(rows);
   add_embree(rows);
   add_memory(rows);
-  if (reflection) rows.add("reflection / view", at_most(1), ratio(reflection->reflection, reflection->visibility));
   add_arithmetic(rows);
+  add_command(rows, command);
   return "## Goals\n\n" + rows.table();
 }
 

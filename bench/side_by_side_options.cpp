@@ -15,8 +15,9 @@ SideBySideOptions parse_side_by_side_options(int argc, const char* const* argv) 
   app.add_option("--limit", options.limits.seconds, "Seconds of processor time that one run may take")
       ->check(CLI::PositiveNumber);
   app.add_option("--runs", options.limits.runs, "Of so many runs the median is taken")->check(CLI::PositiveNumber);
-  app.add_option("--only", options.only,
-                 "Scenes: sphere, terrain, shrinking-soup, deep-soup, sheets, leaves, models, reflection")
+  app.add_option(
+         "--only", options.only,
+         "Scenes: sphere, terrain, shrinking-soup, deep-soup, sheets, leaves, models; threads, reflection, writing")
       ->delimiter(',');
   app.add_flag("--without-rivals", without_rivals, "Measure sightline alone");
   app.add_flag("--quick", quick, "Small sizes, one run of at most ten seconds");

@@ -77,4 +77,20 @@ std::string reflection_table(std::size_t triangles, const ReflectionFigures& fig
          "\n";
 }
 
+std::string threads_table(std::size_t triangles, const ThreadFigures& figures) {
+  return "## Two threads\n\n" +
+         markdown_table({"size", "1 thread, s", "2 threads, s", "1 / 2"},
+                        {{std::to_string(triangles), text_of(figures.one), text_of(figures.two),
+                          text_of(ratio(figures.one, figures.two))}}) +
+         "\n";
+}
+
+std::string writing_table(std::size_t triangles, const WritingFigures& figures) {
+  return "## Writing all outputs\n\n" +
+         markdown_table({"size", "view", "writing", "MB", "writing / view"},
+                        {{std::to_string(triangles), text_of(figures.visibility), text_of(figures.writing),
+                          text_of(figures.megabytes), text_of(ratio(figures.writing, figures.visibility))}}) +
+         "\n";
+}
+
 }  // namespace sightline::bench

@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "bench/command_figures.h"
 #include "bench/side_by_side_results.h"
 
 namespace sightline::bench {
@@ -13,5 +14,7 @@ namespace sightline::bench {
 [[nodiscard]] std::string family_tables(const FamilyResult& result);
 
 [[nodiscard]] std::string reflection_table(std::size_t triangles, const ReflectionFigures& figures);
+[[nodiscard]] std::string threads_table(std::size_t triangles, const ThreadFigures& figures);
+[[nodiscard]] std::string writing_table(std::size_t triangles, const WritingFigures& figures);
 
 }  // namespace sightline::bench

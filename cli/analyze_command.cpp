@@ -7,19 +7,15 @@
 #include <vector>
 
 #include "cli/coverage_table.h"
-#include "cli/faces_table.h"
-#include "cli/labelled_obj.h"
-#include "cli/labelled_ply.h"
 #include "cli/memory_limit.h"
 #include "cli/report.h"
 #include "cli/report_page.h"
 #include "cli/resources.h"
 #include "cli/result_folders.h"
 #include "cli/scene_file.h"
-#include "cli/segments_table.h"
 #include "cli/summary.h"
 #include "cli/view_analysis.h"
-#include "cli/view_svg.h"
+#include "cli/view_files.h"
 #include "cli/window_points.h"
 
 namespace sightline {
@@ -43,17 +39,6 @@ std::vector<std::string> names_of(const std::vector<Item>& items) {
   return names;
 }
 
-void write_results(ResultFolders& results, const Scene& scene, const Mesh& mesh, const View& view,
-                   const std::vector<FaceMeasures>& faces, const std::vector<Point2>& places) {
-  const std::string& name = view.scene.camera.name;
-  const std::vector<std::string> panels = names_of(scene.panels);
-  results.write(name, "faces.csv", faces_table(faces, panels));
-  results.write(name, "labelled.ply", labelled_ply(view.labelled, panels));
-  results.write(name, "labelled.obj", labelled_obj(view.labelled, panels));
-  results.write(name, "view.svg", view_svg(mesh, view, places, panels));
-  results.write(name, "segments.csv", segments_table(mesh, view, places));
-}
-
 // Where the files go, and what all cameras see, for the files that are about all of them.
 struct Output {
   Output(const std::string& folder, bool with_page) : results(folder) {
@@ -74,7 +59,7 @@ Report written_report(const Scene& scene, const MeshInput& input, const ViewAnal
   const View& view = analysis.view;
   const std::vector<FaceMeasures> faces = measure_faces(input.mesh, view);
   const std::vector<Point2> places = window_points(view);
-  write_results(output.results, scene, input.mesh, view, faces, places);
+  write_view_files(output.results, input.mesh, view, names_of(scene.panels), faces, places);
   if (output.page) output.page->add_view(input.mesh, view, places, faces);
   const Report report = make_report(scene, input, analysis, faces, watch.seconds());
   output.results.write(view.scene.camera.name, "report.json", report_text(report));

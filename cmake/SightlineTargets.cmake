@@ -2,7 +2,8 @@
 
 # Inline functions of our headers must round as the library does, wherever they are compiled: contraction is off for
 # users too. Warnings are for our own builds only, and without those that g++ 12 reports at -O3 for correct code inlined
-# from std::string (GCC bug 105651; more of them where headers are precompiled) and from Boost's small_vector.
+# from std::string (GCC bug 105651; more of them where headers are precompiled) and from Boost's small_vector. A second
+# argument names the target whose precompiled headers this one shares.
 function(sightline_compile_options target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_compile_options(${target} PUBLIC -ffp-contract=off)
@@ -16,11 +17,20 @@ function(sightline_compile_options target)
   get_target_property(sources ${target} SOURCES)
   list(LENGTH sources source_count)
   if(SIGHTLINE_PRECOMPILE_HEADERS AND source_count GREATER 2)
-    target_precompile_headers(${target} PRIVATE <algorithm> <array> <boost/multiprecision/cpp_int.hpp> <cmath> <map>
-      <optional> <span> <string> <vector>)
+    sightline_precompile_headers(${target} "${ARGV1}")
   endif()
   if(SIGHTLINE_WARNINGS_AS_ERRORS)
     target_compile_options(${target} PRIVATE -Werror)
+  endif()
+endfunction()
+
+# Compiled once per target; or those of another target that is compiled alike.
+function(sightline_precompile_headers target headers_of)
+  if(headers_of)
+    target_precompile_headers(${target} REUSE_FROM ${headers_of})
+  else()
+    target_precompile_headers(${target} PRIVATE <algorithm> <array> <boost/multiprecision/cpp_int.hpp> <cmath> <map>
+      <optional> <span> <string> <vector>)
   endif()
 endfunction()
 
@@ -36,5 +46,9 @@ function(sightline_add_room room)
     "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>"
     "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/sightline-${PROJECT_VERSION}>")
   target_link_libraries(${target} PUBLIC ${ARGN})
-  sightline_compile_options(${target})
+  if(room STREQUAL "geometry")
+    sightline_compile_options(${target})
+  else()
+    sightline_compile_options(${target} sightline_geometry)
+  endif()
 endfunction()

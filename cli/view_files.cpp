@@ -1,0 +1,22 @@
+#include "cli/view_files.h"
+
+#include "cli/faces_table.h"
+#include "cli/labelled_obj.h"
+#include "cli/labelled_ply.h"
+#include "cli/segments_table.h"
+#include "cli/view_svg.h"
+
+namespace sightline {
+
+void write_view_files(ResultFolders& results, const Mesh& mesh, const View& view,
+                      const std::vector<std::string>& panels, const std::vector<FaceMeasures>& faces,
+                      const std::vector<Point2>& places) {
+  const std::string& name = view.scene.camera.name;
+  results.write(name, "faces.csv", faces_table(faces, panels));
+  results.write(name, "labelled.ply", labelled_ply(view.labelled, panels));
+  results.write(name, "labelled.obj", labelled_obj(view.labelled, panels));
+  results.write(name, "view.svg", view_svg(mesh, view, places, panels));
+  results.write(name, "segments.csv", segments_table(mesh, view, places));
+}
+
+}  // namespace sightline
