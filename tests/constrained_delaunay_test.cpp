@@ -419,6 +419,13 @@ TEST_CASE("constrained Delaunay: constraints that break the precondition are ref
                   InternalError);
 }
 
+TEST_CASE("constrained Delaunay: a constraint that meets a point only after it has crossed an edge is refused") {
+  const GridPoints points({{0, 0}, {2, 1}, {2, -1}, {4, 0}, {6, 1}, {6, -1}, {8, 0}});
+  const Constraint through{points.find({0, 0}), points.find({8, 0})};
+  CHECK_THROWS_WITH_AS((void)constrained_delaunay(points, std::vector{through}),
+                       doctest::Contains("runs through a point"), ConstraintConflict);
+}
+
 TEST_CASE("constrained Delaunay: validate finds what is broken") {
   Random random(11);
   const GridPoints points(random_points(random, 30, 100, 100));

@@ -1,5 +1,6 @@
 // build_mesh on the public models, and validate on meshes with one thing broken.
 #include "geometry/mesh.h"
+#include "geometry/shared_corners.h"
 
 #include <doctest/doctest.h>
 
@@ -254,3 +255,21 @@ TEST_CASE("the public models have the edges that their table says") {
 }
 
 }  // namespace
+
+TEST_CASE("corners on one way of a slit come on the other way, too, in that way's direction") {
+  const std::vector<Point3> vertices{{0, 0, 0}, {8, 0, 0}, {8, 8, 0}, {0, 8, 0}, {0, 4, 0}, {1, 4, 0},
+                                     {2, 4, 0}, {3, 4, 0}, {4, 5, 0}, {5, 4, 0}, {4, 3, 0}};
+  const auto corners_of = [&](std::initializer_list<std::size_t> outline) {
+    std::vector<VertexId> corners;
+    for (const std::size_t v : outline) corners.emplace_back(v);
+    PolygonList outlines;
+    outlines.push_back(corners);
+    share_corners(outlines, vertices, weld_vertices(vertices));
+    std::vector<std::size_t> result;
+    for (const VertexId v : outlines[0]) result.push_back(v.index());
+    return result;
+  };
+  const std::vector<std::size_t> both_ways{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 7, 6, 5, 4};
+  CHECK(corners_of({0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 7, 4}) == both_ways);
+  CHECK(corners_of({0, 1, 2, 3, 4, 7, 8, 9, 10, 7, 6, 5, 4}) == both_ways);
+}

@@ -187,3 +187,34 @@ TEST_CASE("node lists: shallowest first, and the same contents whatever the way"
     CHECK(turned.nodes().size() == 1);
   }
 }
+
+TEST_CASE("node lists: bars that overlap in a ring, and are put in order when the one between two of them leaves") {
+  // Each bar rises along a side of a triangle and lies on the next one's lower end.
+  const std::array<Point3, 3> ring{Point3{4, 0, 0}, Point3{-2, 3, 0}, Point3{-2, -3, 0}};
+  std::vector<testing::Corners> bars;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vector3 along = ring[(i + 1) % 3] - ring[i];
+    const Vector3 across{-0.03 * along.y, 0.03 * along.x, 0};
+    const Point3 low = ring[i] - 0.25 * along - Vector3{0, 0, 0.25};
+    const Point3 high = ring[i] + 1.25 * along + Vector3{0, 0, 1.25};
+    bars.push_back({low, high - across, high + across});
+  }
+  const Mesh mesh = testing::mesh_of(bars);
+  const Camera camera = orthographic_camera("above", {{0, 0, 10}, {0, 0, 0}, {0, 1, 0}, 1, {}, {}}, 16);
+  const ProjectedScene scene = project(mesh, camera, Sides::both);
+  DepthOrder depth(mesh, scene);
+  for (std::size_t i = 0; i < 3; ++i) REQUIRE(depth.nearer(FacetId(i), FacetId((i + 1) % 3)));
+
+  const auto side = [](std::size_t f, int winding) { return EdgeSide{FacetId(f), winding, MeshEdgeId{}}; };
+  for (std::size_t last = 0; last < 3; ++last) {
+    CAPTURE(last);
+    NodeList list;
+    for (const std::size_t f : {last + 1, last + 2, last})
+      list.cross(std::array{side(f % 3, 1)}, depth, NodeOrder::depth);
+    const FacetId between = list.nodes()[1].facet;
+    const FacetId other_end = list.nodes()[2].facet;
+    REQUIRE(depth.nearer(other_end, list.nodes()[0].facet));
+    list.cross(std::array{side(between.index(), -1)}, depth, NodeOrder::depth);
+    CHECK(list.topmost() == other_end);
+  }
+}
