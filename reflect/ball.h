@@ -1,7 +1,8 @@
 // Arithmetic on balls: numbers known up to a radius, by which a cheap test can prove its answer.
 //
-// Holds: |true value - middle| <= radius, for sums, differences, products and quotients of balls for which it holds. Where nothing is
-// known (an overflow, infinity minus infinity) the radius is infinite or one of both is no number, and no comparison holds.
+// Holds: |true value - middle| <= radius, for sums, differences, products and quotients of balls for which it holds. Where
+// nothing is known (an overflow, infinity minus infinity) the radius is infinite or one of both is no number, and no
+// comparison holds.
 //
 // Derivation, with u = 2^-53 and every operation rounded to nearest. A sum m = fl(a + b) is off by at most u |m|, a product
 // by at most u |m| + 2^-1075, beside what the radii let through: ra + rb, and |a| rb + |b| ra + ra rb. Twice u |m| is
@@ -51,7 +52,8 @@ struct Ball {
   friend Ball operator/(const Ball& a, const Ball& b) {
     if (!b.is_positive() && !b.is_negative()) return {0, std::numeric_limits<double>::infinity()};
     const double q = a.middle / b.middle;
-    const double through = widened(a.radius + std::abs(q) * b.radius) / (std::abs(b.middle) - b.radius);
+    const double largest = std::abs(q) + 0x1p-1074;  // where q is denormal
+    const double through = widened(a.radius + largest * b.radius) / (std::abs(b.middle) - b.radius);
     return {q, widened(through + 0x1p-51 * std::abs(q))};
   }
 };

@@ -12,7 +12,8 @@ namespace {
 
 bool is_perspective(const Camera& camera) { return camera.projection == Projection::perspective; }
 
-// The integer nearest to 2^grid_bits ratio, ties away from zero, if all of the ball has the same.
+// The integer nearest to 2^grid_bits ratio, ties away from zero, if all of the ball has the same. The sum with 1/2 has
+// twice the radius that its rounding needs: the ends' own rounding is no larger.
 std::optional<std::int64_t> certain_coordinate(const Ball& ratio, int grid_bits) {
   const Ball size{std::ldexp(std::abs(ratio.middle), grid_bits), std::ldexp(ratio.radius, grid_bits)};
   const Ball shifted = size + exactly(0.5);

@@ -47,6 +47,7 @@ function onStep(file, step, test, viewport = desktop) {
   });
 }
 
+const captions = (page) => page.locator("#drawing figcaption").allInnerTexts();
 const placeOf = (page) => page.locator("#place").innerText();
 const pointOf = (page) => page.locator("#sentence .headline b").innerText();
 const rowsOf = (page, section) =>
@@ -155,9 +156,14 @@ test("float beside exact: the first step at which they differ, and wrong signs",
     await page.waitForFunction(() => /^Step [1-9]/.test(document.getElementById("place").textContent));
     assert.match(await page.locator("#difference .says").innerText(), /^exact at step/);
     assert.ok((await page.locator("#predicates .is-wrong").count()) > 0);
+    assert.deepEqual(await captions(page), ["float", "exact"]);
     await page.check("#sweeps input >> nth=1");
+    assert.match((await captions(page)).join(), /^exact,float/);
     assert.match(await page.locator("#difference .says").innerText(), /^float at step/);
     assert.equal(await page.locator("#predicates .is-wrong").count(), 0);
+    await page.click("#last");
+    assert.deepEqual(await captions(page), ["exact", "float"]);
+    assert.equal(await page.locator("#drawing figure:nth-child(2) [data-keys]").count(), 0);
   });
 });
 

@@ -10,6 +10,7 @@ import { showActive, showPolygons, showQueue, showRings, showSegments } from "./
 
 const state = { sweeps: [], shown: 0, step: 0, quiz: false, reached: 0, timer: null };
 const sweep = () => state.sweeps[state.shown];
+const other = () => (state.sweeps.length < 2 ? null : state.sweeps[1 - state.shown]);
 const farthest = () => (state.quiz ? Math.min(state.reached, sweep().last) : sweep().last);
 
 function showControls() {
@@ -33,9 +34,8 @@ function showDifference() {
     return;
   }
   const link = element("a", { href: `#step=${step}` }, `step ${step}`);
-  const other = sweep() === a ? b : a;
-  const beside = state.step < step ? [] : [element("p", { class: "says" }, element("b", {}, other.arithmetic),
-    ` at step ${state.step}: ${other.steps[state.step]?.says ?? "the sweep has ended."}`)];
+  const beside = state.step < step ? [] : [element("p", { class: "says" }, element("b", {}, other().arithmetic),
+    ` at step ${state.step}: ${other().steps[state.step]?.says ?? "the sweep has ended."}`)];
   byId("difference").replaceChildren(element("p", {}, `${a.arithmetic} and ${b.arithmetic} first differ at `, link, "."), ...beside);
 }
 
@@ -45,7 +45,7 @@ function showAll() {
   const candidates = guesses ? showQuiz(sweep(), state.step, answered) : [];
   showControls();
   showDifference();
-  showScene(sweep(), state.step, candidates);
+  showScene(sweep(), state.step, candidates, other());
   showStep(sweep(), state.step);
   showQueue(sweep(), state.step, guesses);
   for (const show of [showActive, showPolygons, showSegments, showRings]) show(sweep(), state.step);

@@ -1,5 +1,5 @@
 // The drawing: what is decided above the sweep line, the edges, the visible segments so far, and the points.
-import { byId, drawn } from "./dom.js";
+import { byId, drawn, element } from "./dom.js";
 
 const size = 1000;
 const mostNames = 60;
@@ -157,11 +157,33 @@ function candidateRings(view, candidates) {
   });
 }
 
-export function showScene(sweep, step, candidates) {
+function drawing(sweep, step, candidates) {
   const view = viewOf(sweep);
   const label = step === 0 ? "The scene before the sweep" : `The scene at step ${step}, sweep point ${sweep.steps[step].name}`;
-  byId("drawing").replaceChildren(drawn("svg", { viewBox: `0 0 ${view.width} ${view.height.toFixed(1)}`, role: "img", "aria-label": label },
-    arrow(), ...decidedRegions(sweep, view, step), ...edgeLines(sweep, view, step), ...sweepLine(sweep, view, step),
+  return drawn("svg", { viewBox: `0 0 ${view.width} ${view.height.toFixed(1)}`, role: "img", "aria-label": label },
+    ...decidedRegions(sweep, view, step), ...edgeLines(sweep, view, step), ...sweepLine(sweep, view, step),
     ...segmentLines(sweep, view, step), ...faceLabels(sweep, view), ...waitingPoints(sweep, view, step),
-    ...passedPoints(sweep, view, step), ...candidateRings(view, candidates)));
+    ...passedPoints(sweep, view, step), ...candidateRings(view, candidates));
+}
+
+// Its points and edges have other numbers: nothing in it is linked with the other views.
+function drawingBeside(sweep, step) {
+  const svg = drawing(sweep, step, []);
+  for (const linked of svg.querySelectorAll("[data-keys]")) linked.removeAttribute("data-keys");
+  return svg;
+}
+
+function figure(caption, svg) {
+  return element("figure", {}, element("figcaption", {}, caption), svg);
+}
+
+// beside: the sweep in the other arithmetic, at the same step or where it ended; null where there is one sweep only.
+export function showScene(sweep, step, candidates, beside) {
+  const svg = drawing(sweep, step, candidates);
+  svg.prepend(arrow());
+  if (beside === null) return byId("drawing").replaceChildren(svg);
+  const last = Math.min(step, beside.last);
+  const ended = last < step ? `, which ended at step ${last}` : "";
+  return byId("drawing").replaceChildren(figure(sweep.arithmetic, svg),
+    figure(`${beside.arithmetic}${ended}`, drawingBeside(beside, last)));
 }
