@@ -122,12 +122,54 @@ std::string work(const std::vector<const CompareRun*>& runs) {
   return text.empty() ? "" : "<p>Its work: " + text + "</p>\n";
 }
 
+constexpr double rounding = 1e-9;  // what is wrong in less of the window is not the algorithm's doing
+
+std::string share_text(double share) {
+  return share < rounding ? fmt::format("{:.1g}", share) : fmt::format("{:.2g} %", 100 * share);
+}
+
+// At the most pixels, where there are some.
+std::string faces_text(const peers::AreaErrors& errors) {
+  if (errors.missed_faces == 0 && errors.hidden_faces_shown == 0) return "No face is missed, and no hidden one shown.";
+  return fmt::format("Of the faces, {} visible ones are missed, and {} hidden ones shown.", errors.missed_faces,
+                     errors.hidden_faces_shown);
+}
+
+std::string areas_here(const std::vector<const CompareRun*>& done) {
+  const peers::AreaErrors& last = done.back()->areas.value();
+  if (last.wrong_share == 0) return "Nothing is wrong. " + faces_text(last);
+  if (last.wrong_share < rounding)
+    return fmt::format("Right but for rounding: {} of the window. ", share_text(last.wrong_share)) + faces_text(last);
+  std::string text;
+  for (const CompareRun* run : done) {
+    text += text.empty() ? "The wrong face is in " : ", ";
+    text += share_text(run->areas.value().wrong_share);
+    if (text.find("window") == std::string::npos) text += " of the window";
+    if (run->resolution) text += fmt::format(" at {}{}", *run->resolution, run == done.front() ? " pixels a side" : "");
+  }
+  return text + ". " + faces_text(last);
+}
+
+// Of what is seen of the scene by this peer: for a reader who asks how wrong it is here.
+std::string here(const std::vector<const CompareRun*>& runs) {
+  std::vector<const CompareRun*> done;
+  for (const CompareRun* run : runs) {
+    if (run->end == CompareEnd::done) done.push_back(run);
+  }
+  if (done.empty()) return "No result; the table says why.";
+  if (done.back()->areas) return areas_here(done);
+  const peers::LineErrors& lines = done.back()->lines.value();
+  return fmt::format("Of the visible lines {} are missing, and {} are drawn though they are hidden.",
+                     share_text(lines.missing_share), share_text(lines.hidden_share));
+}
+
 std::string section(const std::vector<const CompareRun*>& runs) {
   const peers::Peer& peer = runs.front()->peer;
   const char* precision = peer.computed_at == peers::ComputedAt::image_precision ? "image" : "object";
   std::string text =
       fmt::format("<h2 id=\"{}\">{}</h2>\n<p class=\"source\">{}; {} precision</p>\n<p>{}</p>\n<p>{}</p>\n", peer.name,
                   html_text(peer.title), html_text(peer.source), precision, html_text(peer.does), html_text(peer.errs));
+  text += fmt::format("<p><b>In this scene:</b> {}</p>\n", here(runs));
   if (const CompareRun* shown = shown_run(runs)) text += pictures(*shown);
   return text + work(runs);
 }

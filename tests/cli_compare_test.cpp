@@ -112,10 +112,13 @@ TEST_CASE("the page writes names as text, and a row for each run") {
   CHECK(page.find("A &lt;peer> &amp; more") != std::string::npos);
   CHECK(page.find("too many bodies") != std::string::npos);
   CHECK(page.find("peer-2.png") != std::string::npos);
+  CHECK(page.find("No result; the table says why.") == std::string::npos);
   const auto rows = lines_of(compare_table(comparison));
   REQUIRE(rows.size() == 3);
   CHECK(split(rows[1], ',').size() == split(rows[0], ',').size());
   CHECK(rows[2].starts_with("peer,image,2,refused,\"too many bodies\",,,,,,,,,,,"));
+  comparison.runs = {run_of(refuses)};
+  CHECK(compare_page(comparison).find("No result; the table says why.") != std::string::npos);
 }
 
 TEST_CASE("peers have names of their own, and something to say of themselves") {
@@ -146,7 +149,10 @@ TEST_CASE("compare: all peers on Fang's scene, at two resolutions") {
   const auto file = [&](const char* name) { return read_text(folder.path() / "out" / name); };
   CHECK(file("z-buffer-16.png").starts_with(png_signature));
   CHECK(file("z-buffer-64-wrong.png").starts_with(png_signature));
-  CHECK(file("compare.html").find("src=\"z-buffer-64.png\"") != std::string::npos);
+  const std::string page = file("compare.html");
+  CHECK(page.find("src=\"z-buffer-64.png\"") != std::string::npos);
+  CHECK(page.find("The wrong face is in 5.3 % of the window at 16 pixels a side, 1.3 % at 64.") != std::string::npos);
+  CHECK(page.find("Of the visible lines 0 are missing") != std::string::npos);
   CHECK(file("compare.svg").starts_with("<svg"));
   CHECK(lines_of(file("compare.csv")).size() == expected + 1);
 }
