@@ -83,13 +83,19 @@ export async function withPage(browser, file, { viewport = desktop, ready }, tes
   assert.deepEqual(complaints, []);
 }
 
-// Of an element, when nothing moves in it any more.
+// In the page. What is asked for is drawn at the next frame.
+async function drawing(selector) {
+  for (let i = 0; i < 2; ++i) await new Promise((done) => requestAnimationFrame(done));
+  return document.querySelector(selector).toDataURL();
+}
+
+// Of a canvas, when nothing moves in it any more, as a data: URL. What it has drawn, not what is on the screen: that may be
+// later by any number of frames.
 export async function picture(page, selector) {
-  let last = await page.locator(selector).screenshot();
+  let last = null;
   for (;;) {
-    await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
-    const next = await page.locator(selector).screenshot();
-    if (next.equals(last)) return next;
+    const next = await page.evaluate(drawing, selector);
+    if (next === last) return next;
     last = next;
   }
 }

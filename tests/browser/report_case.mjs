@@ -1,6 +1,6 @@
 // What the tests of report.html share.
 import { join } from "node:path";
-import { withPage } from "./page_case.mjs";
+import { picture, withPage } from "./page_case.mjs";
 
 const isShown = () => document.body.dataset.shown === "0";
 
@@ -21,24 +21,28 @@ export function cornerOf(triangle, corner, share) {
   return centre.map((c, i) => c + share * (corner[i] - c));
 }
 
-// Of the canvas in 3D, [r, g, b] at places in shares of the window that is looked through.
+// Of the canvas in 3D, [r, g, b] at places in shares of the window that is looked through, over white.
 export async function pixelsAt(page, places) {
   const frame = await page.locator("#frame").boundingBox();
-  const image = (await page.screenshot()).toString("base64");
-  const points = places.map(([right, down]) => [frame.x + right * frame.width, frame.y + down * frame.height]);
-  return page.evaluate(readPixels, { image, points });
+  const stage = await page.locator("#stage").boundingBox();
+  const points = places.map(([right, down]) =>
+    [(frame.x + right * frame.width - stage.x) / stage.width, (frame.y + down * frame.height - stage.y) / stage.height]);
+  return page.evaluate(readPixels, { image: await picture(page, "#stage"), points });
 }
 
 // In the page.
 async function readPixels({ image, points }) {
-  const bytes = Uint8Array.from(atob(image), (c) => c.charCodeAt(0));
-  const bitmap = await createImageBitmap(new Blob([bytes], { type: "image/png" }));
-  const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext("2d");
+  const bitmap = await createImageBitmap(await (await fetch(image)).blob());
+  const { width, height } = bitmap;
+  const context = new OffscreenCanvas(width, height).getContext("2d");
+  context.fillStyle = "white";
+  context.fillRect(0, 0, width, height);
   context.drawImage(bitmap, 0, 0);
-  return points.map(([x, y]) => [...context.getImageData(Math.round(x), Math.round(y), 1, 1).data.slice(0, 3)]);
+  return points.map(([x, y]) =>
+    [...context.getImageData(Math.round(x * width), Math.round(y * height), 1, 1).data.slice(0, 3)]);
 }
 
-// The backdrop is nearly white.
+// Nothing is drawn there.
 export function isBackground(pixel) {
   return Math.min(...pixel) > 225;
 }

@@ -15,7 +15,8 @@ export class Stage {
     this.reach = Math.max(2, ...around.map((place) => place.length()));
     this.onDraw = onDraw;
     this.scene = new Scene();
-    this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
+    // The drawing is kept: a browser's "save image", and the tests, find it whenever they ask.
+    this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, preserveDrawingBuffer: true });
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
     this.viewer = new PerspectiveCamera(32, 1, 0.01, 100);
     canvas.addEventListener("keydown", (event) => this.onKey(event));
