@@ -25,7 +25,7 @@ class OutputFolder {
 // The folder at the path, however that is written: "results", "results/", "../a/.".
 [[nodiscard]] inline OutputFolder output_folder_at(const std::string& path) {
   const auto place = std::filesystem::absolute(path + "/.").lexically_normal().parent_path();
-  return OutputFolder(place.parent_path(), place.filename().string());
+  return {place.parent_path(), place.filename().string()};
 }
 
 }  // namespace sightline
