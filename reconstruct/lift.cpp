@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <tuple>
 
 namespace sightline {
 namespace {
@@ -19,8 +18,6 @@ Wide512 scaled_area(const ImagePoint& a, const ImagePoint& b, const ExactPoint& 
   const Wide512 constant = Wide512(static_cast<Int128>(a.x) * b.y - static_cast<Int128>(a.y) * b.x);
   return p.x * Wide512(a.y - b.y) + p.y * Wide512(b.x - a.x) + p.denominator * constant;
 }
-
-bool position_before(const Point3& a, const Point3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); }
 
 // Weights W in units of about the smallest of them: ratios are all that counts, and of denormal numbers products would
 // vanish and quotients overflow. A weight that was rounded to 0 is taken as the smallest double; one that is 2^1000
@@ -54,11 +51,8 @@ Point3 in_triangle(const ClippedCorner& a, const ClippedCorner& b, const Clipped
 
 }  // namespace
 
-Point3 lift_on_edge(const ProjectedScene& scene, const ImagePoints& points, const ClippedCorner& from,
-                    const ClippedCorner& to, PointId p) {
-  const bool swap = position_before(to.position, from.position);
-  const ClippedCorner& a = swap ? to : from;
-  const ClippedCorner& b = swap ? from : to;
+Point3 lift_on_edge(const ProjectedScene& scene, const ImagePoints& points, const ClippedCorner& a,
+                    const ClippedCorner& b, PointId p) {
   const ImagePoint& image_a = scene.point(a.point);
   const ImagePoint& image_b = scene.point(b.point);
   const ExactPoint exact = points.exact(p);
