@@ -18,7 +18,7 @@
 namespace sightline::bench {
 namespace {
 
-// Of all that the labelled mesh and the visible segments consist of. As a double: its upper 53 bits.
+// Of numbers in their order. As a double: its upper 53 bits.
 class Digest {
  public:
   void add(std::uint64_t number) { state_ = mix(state_ ^ number); }
@@ -41,7 +41,7 @@ double digest(const View& view) {
   for (const Point3& p : view.labelled.vertices) digest.add(p);
   for (const LabelledTriangle& t : view.labelled.triangles) {
     for (const auto corner : t.corners) digest.add(std::uint64_t{corner.value});
-    digest.add(std::uint64_t{t.face.value} << 8U | static_cast<std::uint64_t>(t.label));
+    digest.add(std::uint64_t{t.face.value} << 8U | static_cast<std::uint64_t>(t.label) << 1U | (t.seen ? 1U : 0U));
   }
   return digest.value();
 }

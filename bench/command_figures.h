@@ -2,10 +2,11 @@
 // the files of a camera's folder.
 //
 // In:  a number of triangles, limits.
-// Out: figures. Threads are compared by the clock on the wall, and by all numbers of the result; writing is processor time,
-//      with making the texts, and the system's share.
+// Out: figures. Threads are compared by the clock on the wall, and by the numbers of the visible segments and of the
+//      labelled mesh; writing is processor time, with making the texts, and the system's share.
 // Precondition of measure_threads: no thread has been started in this process, nor their number been limited.
-// Complexity: of a few views. Errors: none; what fails makes a figure `failed`.
+// Complexity: of a few views. Errors: std::runtime_error where there can be no temporary folder; else what fails makes a
+//      figure `failed`.
 #pragma once
 
 #include "bench/figure.h"
