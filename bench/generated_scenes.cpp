@@ -38,7 +38,7 @@ Mesh folded_sphere(std::size_t triangles) {
       add_triangle(faces, at(r, c + 1), at(r + 1, c + 1), at(r + 1, c));
     }
   }
-  return apart(std::move(vertices), std::move(faces));
+  return build_mesh(std::move(vertices), std::move(faces));
 }
 
 Mesh terrain(std::size_t triangles) {
@@ -56,7 +56,7 @@ Mesh terrain(std::size_t triangles) {
   for (std::size_t r = 0; r < cells; ++r) {
     for (std::size_t c = 0; c < cells; ++c) add_cell(faces, r * (cells + 1) + c, cells + 1);
   }
-  return apart(std::move(vertices), std::move(faces));
+  return build_mesh(std::move(vertices), std::move(faces));
 }
 
 Camera overview() { return perspective_camera("overview", {{1.5, 1.2, 3.0}, {0, 0, 0}, {0, 1, 0}, 1, {}, {}}, 45); }

@@ -52,7 +52,7 @@ Mesh sheets(std::size_t triangles, std::size_t count, FrontSheet front) {
       if (!is_hole) add_cell(faces, first + cell / grid.columns * row + cell % grid.columns, row);
     }
   }
-  return apart(std::move(vertices), std::move(faces));
+  return build_mesh(std::move(vertices), std::move(faces));
 }
 
 }  // namespace sightline::bench

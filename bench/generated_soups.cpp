@@ -75,7 +75,7 @@ Mesh soup(std::size_t count, double radius) {
     for (const Point3& p : triangle) vertices.push_back(as_in_a_file({p.x, p.y, scale * p.z - 1}));
     add_triangle(faces, vertices.size() - 3, vertices.size() - 2, vertices.size() - 1);
   }
-  return apart(std::move(vertices), std::move(faces));
+  return build_mesh(std::move(vertices), std::move(faces));
 }
 
 }  // namespace

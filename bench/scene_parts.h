@@ -50,11 +50,4 @@ inline void add_cell(PolygonList& faces, std::size_t corner, std::size_t row) {
   add_triangle(faces, corner + 1, corner + row, corner + row + 1);
 }
 
-// A mesh whose facets meet in shared vertices and edges only, as all generated scenes promise: nobody has to look.
-[[nodiscard]] inline Mesh apart(std::vector<Point3> vertices, PolygonList faces) {
-  Mesh mesh = build_mesh(std::move(vertices), std::move(faces));
-  mesh.touched.assign(mesh.facet_count(), 0);
-  return mesh;
-}
-
 }  // namespace sightline::bench

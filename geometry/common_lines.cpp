@@ -272,28 +272,10 @@ class CutMesh {
   Mesh result_;
 };
 
-// Per facet before cutting.
-std::vector<std::uint8_t> touched_wholes(const Mesh& mesh, const MeshContacts& contacts) {
-  std::vector<std::uint8_t> touched(mesh.facet_count(), 0);
-  for (const auto* pairs : {&contacts.crossing, &contacts.touching}) {
-    for (const auto& pair : *pairs) {
-      for (const FacetId f : pair) touched[f.index()] = 1;
-    }
-  }
-  return touched;
-}
-
 }  // namespace
 
 Mesh cut_along_common_lines(Mesh mesh, const MeshContacts& contacts) {
-  std::vector<std::uint8_t> touched = touched_wholes(mesh, contacts);
-  if (contacts.crossing.empty()) {
-    mesh.touched = std::move(touched);
-    return mesh;
-  }
-  Mesh cut = CutMesh(mesh, contacts).build();
-  for (const WholeId whole : cut.cuts.whole_of) cut.touched.push_back(touched[whole.index()]);
-  return cut;
+  return contacts.crossing.empty() ? std::move(mesh) : CutMesh(mesh, contacts).build();
 }
 
 Mesh without_cuts(const Mesh& mesh) {

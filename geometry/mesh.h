@@ -84,9 +84,6 @@ struct Mesh {
 
   std::vector<FaceDefect> defects;
   FacetCuts cuts;
-  // Per facet: 1 where it, or the whole it was cut from, meets another facet outside the vertices and edges that they
-  // share (interpenetration.h). Empty: nobody has looked.
-  std::vector<std::uint8_t> touched;
 
   [[nodiscard]] bool is_cut() const { return !cuts.whole_of.empty(); }
   [[nodiscard]] std::size_t input_vertex_count() const { return vertices.size() - cuts.points.size(); }

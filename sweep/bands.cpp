@@ -12,12 +12,9 @@ static_assert(8 * sizeof(BandSet) == most_bands);
 
 class BandMaker {
  public:
-  BandMaker(const Mesh& mesh, const Patches& patches, const CellGrid& grid, const FacetCells& cells, std::size_t count)
-      : mesh_(mesh),
-        patches_(patches),
-        grid_(grid),
-        cells_(cells),
-        count_(std::clamp<std::size_t>(count, 1, most_bands)) {
+  BandMaker(const Mesh& mesh, const std::vector<Role>& roles, const CellGrid& grid, const FacetCells& cells,
+            std::size_t count)
+      : mesh_(mesh), roles_(roles), grid_(grid), cells_(cells), count_(std::clamp<std::size_t>(count, 1, most_bands)) {
     result_.swept.resize(count_);
   }
 
@@ -28,7 +25,7 @@ class BandMaker {
   }
 
  private:
-  [[nodiscard]] bool is_open(std::size_t f) const { return patches_.role[f] == Role::open; }
+  [[nodiscard]] bool is_open(std::size_t f) const { return roles_[f] == Role::open; }
 
   // By the highest row of cells that a facet's surface touches, so that bands have about as many open facets each.
   void part_open_facets() {
@@ -71,7 +68,7 @@ class BandMaker {
         open_in_cell[cell.cell()] |= BandSet{1} << result_.band_of[f].value;
     }
     for (std::size_t f = 0; f < mesh_.facet_count(); ++f) {
-      if (patches_.role[f] == Role::absent || patches_.role[f] == Role::hidden) continue;
+      if (roles_[f] == Role::absent || roles_[f] == Role::hidden) continue;
       BandSet bands = is_open(f) ? BandSet{1} << result_.band_of[f].value : 0;
       for (const FacetCell& cell : cells_.of(FacetId(f))) bands |= open_in_cell[cell.cell()];
       for (std::size_t band = 0; band < count_; ++band) {
@@ -81,7 +78,7 @@ class BandMaker {
   }
 
   const Mesh& mesh_;
-  const Patches& patches_;
+  const std::vector<Role>& roles_;
   const CellGrid& grid_;
   const FacetCells& cells_;
   const std::size_t count_;
@@ -90,9 +87,9 @@ class BandMaker {
 
 }  // namespace
 
-Bands make_bands(const Mesh& mesh, const Patches& patches, const CellGrid& grid, const FacetCells& cells,
+Bands make_bands(const Mesh& mesh, const std::vector<Role>& roles, const CellGrid& grid, const FacetCells& cells,
                  std::size_t count) {
-  return BandMaker(mesh, patches, grid, cells, count).make();
+  return BandMaker(mesh, roles, grid, cells, count).make();
 }
 
 }  // namespace sightline

@@ -14,7 +14,7 @@
 
 #include "geometry/mesh.h"
 #include "sweep/facet_cells.h"
-#include "sweep/patches.h"
+#include "sweep/roles.h"
 
 namespace sightline {
 
@@ -28,7 +28,7 @@ struct Bands {
 };
 
 // At least one band, at most most_bands.
-[[nodiscard]] Bands make_bands(const Mesh& mesh, const Patches& patches, const CellGrid& grid, const FacetCells& cells,
-                               std::size_t count);
+[[nodiscard]] Bands make_bands(const Mesh& mesh, const std::vector<Role>& roles, const CellGrid& grid,
+                               const FacetCells& cells, std::size_t count);
 
 }  // namespace sightline

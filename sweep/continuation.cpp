@@ -47,11 +47,10 @@ Neighbours neighbours_across(const ProjectedScene& scene, EdgeId e, const std::v
 
 }  // namespace
 
-Continuation::Continuation(const ProjectedScene& scene) {
-  const auto proper = proper_facets(scene);
+Continuation::Continuation(const ProjectedScene& scene) : proper_(proper_facets(scene)) {
   neighbours_.resize(scene.edge_count());
   parallel_for_each(scene.edge_count(),
-                    [&](std::size_t e) { neighbours_[e] = neighbours_across(scene, EdgeId(e), proper); });
+                    [&](std::size_t e) { neighbours_[e] = neighbours_across(scene, EdgeId(e), proper_); });
   find_edges(scene);
 }
 

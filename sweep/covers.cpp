@@ -7,6 +7,8 @@
 
 #include "geometry/parallel.h"
 #include "sweep/depth_order.h"
+#include "sweep/facet_outline.h"
+#include "sweep/whole_surfaces.h"
 
 namespace sightline {
 namespace {
@@ -14,23 +16,31 @@ namespace {
 // After so many sheets over a cell's centre that do not cover it, no more are tried.
 constexpr std::size_t most_failures = 4;
 
-// A facet that touches a cell.
-struct CellFacet {
-  FacetId facet;
-  bool over_centre = false;
-};
+// Per cell how many facets may be over its centre, up to two.
+std::vector<std::uint8_t> count_over_centre(const FacetCells& cells, const CellGrid& grid, std::size_t facets) {
+  std::vector<std::uint8_t> count(grid.cell_count(), 0);
+  for (std::size_t f = 0; f < facets; ++f) {
+    for (const FacetCell& cell : cells.of(FacetId(f))) {
+      if (cell.over_centre() && count[cell.cell()] < 2) ++count[cell.cell()];
+    }
+  }
+  return count;
+}
 
 // Per cell with several facets over its centre the facets that touch it.
 class CellFacets {
  public:
-  CellFacets(const FacetCells& cells, const CellGrid& grid, const std::vector<std::uint8_t>& hidden)
-      : begin_(grid.cell_count() + 1, 0) {
-    const std::vector<std::uint8_t> wanted = cells_with_sheets(cells, grid, hidden);
+  struct CellFacet {
+    FacetId facet;
+    bool over_centre = false;
+  };
+
+  CellFacets(const FacetCells& cells, const std::vector<std::uint8_t>& over_centre, std::size_t facets)
+      : begin_(over_centre.size() + 1, 0) {
     const auto for_each_pair = [&](auto visit) {
-      for (std::size_t f = 0; f < hidden.size(); ++f) {
-        if (hidden[f] != 0) continue;
+      for (std::size_t f = 0; f < facets; ++f) {
         for (const FacetCell& cell : cells.of(FacetId(f))) {
-          if (wanted[cell.cell()] > 1) visit(cell.cell(), CellFacet{FacetId(f), cell.over_centre()});
+          if (over_centre[cell.cell()] > 1) visit(cell.cell(), CellFacet{FacetId(f), cell.over_centre()});
         }
       }
     };
@@ -46,28 +56,14 @@ class CellFacets {
   }
 
  private:
-  // Per cell how many facets are over its centre, up to two.
-  static std::vector<std::uint8_t> cells_with_sheets(const FacetCells& cells, const CellGrid& grid,
-                                                     const std::vector<std::uint8_t>& hidden) {
-    std::vector<std::uint8_t> sheets(grid.cell_count(), 0);
-    for (std::size_t f = 0; f < hidden.size(); ++f) {
-      if (hidden[f] != 0) continue;
-      for (const FacetCell& cell : cells.of(FacetId(f))) {
-        if (cell.over_centre() && sheets[cell.cell()] < 2) ++sheets[cell.cell()];
-      }
-    }
-    return sheets;
-  }
-
   std::vector<std::uint32_t> begin_;
   std::vector<CellFacet> facets_;
 };
 
-// Whether an edge certainly misses a square: its line passes the centre further away than the corners are. The square is
-// taken two units larger on each side, so that what covers its rounded image covers it exactly, too; the products are off by less
-// than 2^-50 of their absolute values.
+// Whether an edge certainly misses a square: its line passes the centre further away than the corners are. The products are
+// off by less than 2^-50 of their absolute values.
 bool misses(const ImagePoint& a, const ImagePoint& b, const ImagePoint& centre, std::int64_t cell_size) {
-  const double half = static_cast<double>(cell_size) / 2 + 2;
+  const double half = static_cast<double>(cell_size) / 2;
   const auto ax = static_cast<double>(a.x - centre.x);
   const auto ay = static_cast<double>(a.y - centre.y);
   const auto bx = static_cast<double>(b.x - centre.x);
@@ -80,18 +76,38 @@ bool misses(const ImagePoint& a, const ImagePoint& b, const ImagePoint& centre, 
   return std::fabs(left - right) > reach * (1 + 0x1p-40) + 0x1p-40 * (std::fabs(left) + std::fabs(right));
 }
 
-// Looks at some of the cells, and counts for each facet in how many of them it is hidden.
+bool boxes_are_apart(std::span<const ImagePoint> a, std::span<const ImagePoint> b) {
+  const auto apart = [&](auto coordinate) {
+    const auto [a_low, a_high] = std::ranges::minmax(a, {}, coordinate);
+    const auto [b_low, b_high] = std::ranges::minmax(b, {}, coordinate);
+    return coordinate(a_high) <= coordinate(b_low) || coordinate(b_high) <= coordinate(a_low);
+  };
+  return apart([](const ImagePoint& p) { return p.x; }) || apart([](const ImagePoint& p) { return p.y; });
+}
+
+// Whether all the points are on the outer side of an edge of a convex polygon with this turn, or on its line.
+bool is_beyond_an_edge(std::span<const ImagePoint> points, std::span<const ImagePoint> polygon, Sign turn) {
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const ImagePoint& next = polygon[i + 1 == polygon.size() ? 0 : i + 1];
+    const auto is_outside = [&](const ImagePoint& p) { return orientation(polygon[i], next, p) * turn <= 0; };
+    if (std::ranges::all_of(points, is_outside)) return true;
+  }
+  return false;
+}
+
+// Looks at some of the cells, and counts for each facet in how many of them it is not in front.
 class CoverFinder {
  public:
   CoverFinder(const Mesh& mesh, const ProjectedScene& scene, const std::vector<DepthRange>& depths,
-              const Continuation& continuation, const CellGrid& grid, const CellFacets& facets)
-      : mesh_(mesh),
-        scene_(scene),
+              const Continuation& continuation, const CellGrid& grid, const CellFacets& facets,
+              std::vector<std::uint8_t>& one_sheet)
+      : scene_(scene),
         depths_(depths),
         continuation_(continuation),
         grid_(grid),
         facets_(facets),
-        order_(mesh, scene),
+        one_sheet_(one_sheet),
+        order_(mesh, scene, depths),
         mark_(scene.status.size(), 0),
         hidden_cells_(scene.status.size(), 0) {}
 
@@ -108,104 +124,93 @@ class CoverFinder {
  private:
   void look_at_cell() {
     find_over_centre();
-    const FacetId cover = find_cover();
-    if (!cover.valid()) return;
-    const std::uint32_t cover_mark = marks_;
-    const std::uint32_t behind_mark = ++marks_;
-    for (const FacetId f : over_centre_) {
-      if (mark_[f.index()] < cover_mark && is_behind(f, cover)) flood_behind(f, cover_mark, behind_mark);
-    }
-    for (const auto& [f, over_centre] : facets_.in_cell(cell_)) {
-      const bool behind = mark_[f.index()] == behind_mark || depths_[f.index()].nearest > cover_farthest_ ||
-                          (cover_size_ == 1 && f != cover && is_behind(f, cover));
-      hidden_cells_[f.index()] += behind ? 1 : 0;
-    }
+    if (!find_cover()) return;
+    const std::size_t cover_size = in_front_.size();
+    find_others();
+    for (std::size_t i = 0; i < in_front_.size(); ++i) bring_forward(in_front_[i]);
+    for (const FacetId f : behind_) ++hidden_cells_[f.index()];
+    one_sheet_[cell_] = in_front_.size() == cover_size ? 1 : 0;
   }
 
   void find_over_centre() {
     over_centre_.clear();
     for (const auto& [f, over_centre] : facets_.in_cell(cell_)) {
-      if (over_centre) over_centre_.push_back(f);
+      if (over_centre && continuation_.is_proper(f)) over_centre_.push_back(f);
     }
     std::ranges::sort(over_centre_, {}, [this](FacetId f) { return std::pair(depths_[f.index()].farthest, f); });
   }
 
-  // A facet over the centre whose sheet covers the cell, and no other's that is tried lies before it; the sheet's facets have
-  // the last mark.
-  FacetId find_cover() {
+  // The sheet of a facet over the centre that covers the cell, and no other's that is tried lies before it: its facets are in
+  // front, and have the last mark.
+  bool find_cover() {
     FacetId cover;
     std::size_t failed = 0;
     for (const FacetId f : over_centre_) {
-      if (cover.valid() && !(is_known_order(f, cover) && order_.nearer(f, cover))) continue;
+      if (cover.valid() && !order_.nearer(f, cover)) continue;
       if (flood_cover(f)) {
         cover = f;
       } else if (++failed == most_failures) {
         break;
       }
     }
-    if (cover.valid()) flood_cover(cover);
-    return cover;
+    return cover.valid() && flood_cover(cover);
   }
 
   // False where the sheet meets a contour edge in the cell.
   bool flood_cover(FacetId first) {
     ++marks_;
-    cover_size_ = 0;
     cover_farthest_ = -std::numeric_limits<double>::infinity();
-    begin_flood(first, marks_);
-    while (!flood_.empty()) {
-      const FacetId f = next_of_flood();
-      ++cover_size_;
-      cover_farthest_ = std::max(cover_farthest_, depths_[f.index()].farthest);
+    in_front_.clear();
+    add_to_cover(first);
+    for (std::size_t i = 0; i < in_front_.size(); ++i) {
+      const FacetId f = in_front_[i];
       for (const EdgeId e : continuation_.edges_of(scene_, f)) {
         if (e.valid() && misses_cell(e)) continue;
         if (!e.valid() || continuation_.is_contour(e)) return false;
-        add_to_flood(across(e, f), marks_);
+        add_to_cover(across(e, f));
       }
     }
     return true;
   }
 
-  // Both are over one place, even before they were rounded: the cell's centre, or anywhere in the cell where the cover is
-  // one facet.
-  [[nodiscard]] bool is_behind(FacetId f, FacetId cover) {
-    if (depths_[f.index()].nearest > cover_farthest_) return true;
-    return is_known_order(f, cover) && order_.nearer(cover, f);
+  void add_to_cover(FacetId f) {
+    if (mark_[f.index()] == marks_) return;
+    mark_[f.index()] = marks_;
+    in_front_.push_back(f);
+    cover_farthest_ = std::max(cover_farthest_, depths_[f.index()].farthest);
   }
 
-  [[nodiscard]] bool is_known_order(FacetId f, FacetId g) const { return !touches(f) && !touches(g); }
-
-  [[nodiscard]] bool touches(FacetId f) const { return mesh_.touched[f.index()] != 0; }
-
-  void flood_behind(FacetId first, std::uint32_t cover_mark, std::uint32_t mark) {
-    if (touches(first)) return;
-    begin_flood(first, mark);
-    while (!flood_.empty()) {
-      const FacetId f = next_of_flood();
-      for (const EdgeId e : continuation_.edges_of(scene_, f)) {
-        if (!e.valid() || continuation_.is_contour(e) || misses_cell(e)) continue;
-        const FacetId next = across(e, f);
-        if (mark_[next.index()] != cover_mark && !touches(next)) add_to_flood(next, mark);
+  // What is deeper than all of the cover is hidden; what else is not of the cover may be behind it.
+  void find_others() {
+    behind_.clear();
+    for (const auto& [f, over_centre] : facets_.in_cell(cell_)) {
+      if (mark_[f.index()] == marks_) continue;
+      if (depths_[f.index()].nearest > cover_farthest_) {
+        ++hidden_cells_[f.index()];
+      } else {
+        behind_.push_back(f);
       }
     }
   }
 
-  void begin_flood(FacetId first, std::uint32_t mark) {
-    flood_.clear();
-    mark_[first.index()] = mark;
-    flood_.push_back(first);
+  // What is not behind one that is in front is in front, too.
+  void bring_forward(FacetId front) {
+    const auto from = std::partition(behind_.begin(), behind_.end(), [&](FacetId f) { return is_behind(f, front); });
+    in_front_.insert(in_front_.end(), from, behind_.end());
+    behind_.erase(from, behind_.end());
   }
 
-  FacetId next_of_flood() {
-    const FacetId f = flood_.back();
-    flood_.pop_back();
-    return f;
+  [[nodiscard]] bool is_behind(FacetId f, FacetId front) {
+    if (depths_[front.index()].farthest < depths_[f.index()].nearest) return true;
+    const FacetOutline outline(scene_, f);
+    const FacetOutline front_outline(scene_, front);
+    return boxes_are_apart(outline.points(), front_outline.points()) || order_.nearer(front, f) ||
+           is_beyond(outline, front, front_outline) || is_beyond(front_outline, f, outline);
   }
 
-  void add_to_flood(FacetId f, std::uint32_t mark) {
-    if (mark_[f.index()] == mark) return;
-    mark_[f.index()] = mark;
-    flood_.push_back(f);
+  [[nodiscard]] bool is_beyond(const FacetOutline& outline, FacetId f, const FacetOutline& of_f) const {
+    const Sign turn = scene_.facing[f.index()] == Facing::back ? -1 : 1;
+    return continuation_.is_proper(f) && is_beyond_an_edge(outline.points(), of_f.points(), turn);
   }
 
   [[nodiscard]] bool misses_cell(EdgeId e) const {
@@ -218,44 +223,46 @@ class CoverFinder {
     return neighbours.left == f ? neighbours.right : neighbours.left;
   }
 
-  const Mesh& mesh_;
   const ProjectedScene& scene_;
   const std::vector<DepthRange>& depths_;
   const Continuation& continuation_;
   const CellGrid& grid_;
   const CellFacets& facets_;
+  std::vector<std::uint8_t>& one_sheet_;
   DepthOrder order_;
-  std::vector<std::uint32_t> mark_;          // per facet: the last flood that reached it
-  std::vector<std::uint32_t> hidden_cells_;  // per facet: in how many cells it is hidden
+  std::vector<std::uint32_t> mark_;          // per facet: the last sheet that it was of
+  std::vector<std::uint32_t> hidden_cells_;  // per facet: in how many cells it is not in front
   std::uint32_t marks_ = 0;
 
   // Of the current cell:
   CellIndex cell_ = 0;
   ImagePoint centre_;
   std::vector<FacetId> over_centre_;
-  std::size_t cover_size_ = 0;  // in facets
+  std::vector<FacetId> in_front_;
+  std::vector<FacetId> behind_;
   double cover_farthest_ = 0;
-  std::vector<FacetId> flood_;
 };
 
 }  // namespace
 
-std::vector<std::uint8_t> hidden_behind_covers(const Mesh& mesh, const ProjectedScene& scene,
-                                               const std::vector<DepthRange>& depths, const Continuation& continuation,
-                                               const CellGrid& grid, const FacetCells& cells,
-                                               std::vector<std::uint8_t> hidden) {
-  const CellFacets facets(cells, grid, hidden);
+Covers find_covers(const Mesh& mesh, const ProjectedScene& scene, const std::vector<DepthRange>& depths,
+                   const Continuation& continuation, const CellGrid& grid, const FacetCells& cells,
+                   std::vector<std::uint8_t> hidden) {
+  Covers covers{std::move(hidden), count_over_centre(cells, grid, scene.status.size())};
+  const CellFacets facets(cells, covers.one_sheet, scene.status.size());
+  std::ranges::replace(covers.one_sheet, 2, 0);
   tbb::enumerable_thread_specific<CoverFinder> finders(
-      [&] { return CoverFinder(mesh, scene, depths, continuation, grid, facets); });
+      [&] { return CoverFinder(mesh, scene, depths, continuation, grid, facets, covers.one_sheet); });
   constexpr std::size_t rows_in_a_row = 8;
   parallel_for_each(grid.side(), rows_in_a_row,
                     [&](std::size_t row) { finders.local().look_at_row(static_cast<unsigned>(row)); });
-  parallel_for_each(hidden.size(), [&](std::size_t f) {
+  parallel_for_each(covers.hidden.size(), [&](std::size_t f) {
     std::size_t hidden_cells = 0;
     for (const CoverFinder& finder : finders) hidden_cells += finder.hidden_cells()[f];
-    if (hidden_cells > 0 && hidden_cells == cells.of(FacetId(f)).size()) hidden[f] = 1;
+    if (hidden_cells > 0 && hidden_cells == cells.of(FacetId(f)).size()) covers.hidden[f] = 1;
   });
-  return hidden;
+  keep_surfaces_whole(mesh, scene, covers.hidden);
+  return covers;
 }
 
 }  // namespace sightline

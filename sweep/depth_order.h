@@ -18,6 +18,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -35,6 +36,12 @@ class DepthOrder {
   DepthOrder(const Mesh& mesh, const ProjectedScene& scene, std::span<const DepthRange> ranges = {});
 
   [[nodiscard]] bool nearer(FacetId f, FacetId g);
+
+  // Unbounded where no ranges are known.
+  [[nodiscard]] DepthRange range(FacetId f) const {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    return ranges_.empty() ? DepthRange{-infinity, infinity} : ranges_[f.index()];
+  }
 
   [[nodiscard]] const predicates::Counts& counts() const { return counts_; }
   [[nodiscard]] std::uint64_t comparisons() const { return comparisons_; }

@@ -10,8 +10,9 @@
 #include "sweep/facet_outline.h"
 #include "sweep/joined_segments.h"
 #include "sweep/large_covers.h"
-#include "sweep/patches.h"
+#include "sweep/roles.h"
 #include "sweep/scene_part.h"
+#include "sweep/whole_surfaces.h"
 
 namespace sightline {
 namespace {
@@ -63,8 +64,8 @@ int level_for(const ProjectedScene& scene, const Continuation& continuation, con
 // Not a matter of threads: the statistics count what is swept, and at the borders of bands some of it is swept twice.
 constexpr std::ptrdiff_t open_facets_in_a_band = 20000;
 
-std::size_t bands_for(const Patches& patches) {
-  return 1 + static_cast<std::size_t>(std::ranges::count(patches.role, Role::open) / open_facets_in_a_band);
+std::size_t bands_for(const std::vector<Role>& roles) {
+  return 1 + static_cast<std::size_t>(std::ranges::count(roles, Role::open) / open_facets_in_a_band);
 }
 
 // Tells an observer where the sweeps of several bands are in the whole: how far all of them are together.
@@ -132,19 +133,18 @@ std::vector<VisibleSegments> swept_bands(const Mesh& mesh, const ProjectedScene&
 
 VisibleSegments fast_visible_segments(const Mesh& mesh, const ProjectedScene& scene, const FastOptions& options,
                                       SweepObserver* observer) {
-  if (mesh.touched.empty() || scene.arithmetic != Arithmetic::exact) return sweep(mesh, scene, observer);
+  if (scene.arithmetic != Arithmetic::exact) return sweep(mesh, scene, observer);
   const Continuation continuation(scene);
   const std::vector<DepthRange> depths = depth_ranges(scene);
-  const auto behind_large = hidden_behind_large_facets(scene, depths);
+  std::vector<std::uint8_t> behind_large = hidden_behind_large_facets(scene, depths);
+  keep_surfaces_whole(mesh, scene, behind_large);
   const CellGrid grid(scene.grid_bits, options.level ? *options.level : level_for(scene, continuation, behind_large));
-  const FacetCells cells(scene, grid, behind_large);
-  const auto hidden = hidden_behind_covers(mesh, scene, depths, continuation, grid, cells, behind_large);
-  const Patches patches = find_patches(mesh, scene, continuation, hidden, grid, cells);
-  const Bands bands = make_bands(mesh, patches, grid, cells, options.bands.value_or(bands_for(patches)));
+  const FacetCells cells(scene, continuation, grid, behind_large);
+  const Covers covers = find_covers(mesh, scene, depths, continuation, grid, cells, behind_large);
+  const std::vector<Role> roles = find_roles(mesh, scene, continuation, covers, grid, cells);
+  const Bands bands = make_bands(mesh, roles, grid, cells, options.bands.value_or(bands_for(roles)));
   std::vector<VisibleSegments> swept = swept_bands(mesh, scene, continuation, bands, observer);
-  const auto is_transitive = [](const VisibleSegments& band) { return band.statistics.depth_is_transitive; };
-  if (!std::ranges::all_of(swept, is_transitive)) return sweep(mesh, scene, observer);
-  return join_segments(scene, continuation, patches, bands, std::move(swept));
+  return join_segments(scene, continuation, roles, bands, std::move(swept));
 }
 
 VisibleSegments find_visible_segments(const Mesh& mesh, const ProjectedScene& scene, Engine engine,

@@ -3,10 +3,9 @@
 // In:  as the sweep (sweep.h), and which engine.
 // Out: the same VisibleSegments from both, but for the statistics, which count what was swept.
 //   - full: the sweep of all facets in view.
-//   - fast: facets that covers hide are left out; patches that no contour edge comes near are seen whole or not at all,
-//     which the sweep of the others tells; that is done in bands of the image, by all threads of the calling task arena
-//     (oneTBB). It needs the mesh's contacts (Mesh::touched; cut_along_common_lines) and exact arithmetic; without, all
-//     is swept. So it is where depths turn out not to be transitive (sweep.h): what is seen there depends on all facets.
+//   - fast: facets that covers hide are left out; those that nothing else comes near are seen whole; the others are swept,
+//     in bands of the image, by all threads of the calling task arena (oneTBB). It needs exact arithmetic; without, all is
+//     swept.
 // An observer is called for all bands, by one thread at a time, and sees their points in no order of its own.
 // Complexity: O(n log n), the pairs of a facet and a cell that it touches, and the sweep of what is left.
 // Errors: as the sweep.

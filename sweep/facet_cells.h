@@ -1,8 +1,9 @@
 // Per facet the cells of the image that it touches.
 //
-// In:  a projected scene, a grid of cells, and facets that are known to be hidden.
-// Out: per facet in view that is not among these its cells, each with whether the facet is certainly over the cell's centre, before and after its
-//      corners were rounded. A few cells more than it touches are named, never one too few.
+// In:  a projected scene, its proper facets (continuation.h), a grid of cells, and facets that are known to be hidden.
+// Out: per facet in view that is not among these the cells that its rounded polygon touches, each with whether the polygon,
+//      its border included, is over the cell's centre; exactly so of a proper facet, any other one may be over every centre.
+//      A few cells more than it touches are named, never one too few.
 // Complexity: O(n) and the cells.
 #pragma once
 
@@ -11,6 +12,7 @@
 
 #include "geometry/projected_scene.h"
 #include "sweep/cell_grid.h"
+#include "sweep/continuation.h"
 
 namespace sightline {
 
@@ -26,7 +28,8 @@ class FacetCell {
 
 class FacetCells {
  public:
-  FacetCells(const ProjectedScene& scene, const CellGrid& grid, const std::vector<std::uint8_t>& hidden);
+  FacetCells(const ProjectedScene& scene, const Continuation& continuation, const CellGrid& grid,
+             const std::vector<std::uint8_t>& hidden);
 
   [[nodiscard]] std::span<const FacetCell> of(FacetId f) const {
     return std::span(cells_).subspan(begin_[f.index()], begin_[f.index() + 1] - begin_[f.index()]);

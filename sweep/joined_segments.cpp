@@ -10,12 +10,10 @@
 namespace sightline {
 namespace {
 
-enum class Seen : std::uint8_t { unknown, no, yes };
-
 // A segment where it opens.
 struct Opening {
   VisibleSegment segment;
-  BandId band;      // invalid: of a patch
+  BandId band;      // invalid: of a plain facet
   SegmentId swept;  // its number in the band's sweep
   bool left_of_edge = false;
 
@@ -69,18 +67,17 @@ class JoinedCrossings {
 
 class Joining {
  public:
-  Joining(const ProjectedScene& scene, const Continuation& continuation, const Patches& patches, const Bands& bands,
-          std::vector<VisibleSegments> swept)
-      : scene_(scene), continuation_(continuation), patches_(patches), bands_(bands), swept_(std::move(swept)) {}
+  Joining(const ProjectedScene& scene, const Continuation& continuation, const std::vector<Role>& roles,
+          const Bands& bands, std::vector<VisibleSegments> swept)
+      : scene_(scene), continuation_(continuation), roles_(roles), bands_(bands), swept_(std::move(swept)) {}
 
   VisibleSegments join() {
     for (std::size_t band = 0; band < swept_.size(); ++band) drop_foreign(BandId(band));
     join_crossings();
     collect_swept();
-    find_seen_patches();
     for (std::size_t p = 0; p < scene_.points.size(); ++p) {
       take_swept_through(PointId(p));
-      open_patches_at(PointId(p));
+      open_plain_at(PointId(p));
       place_openings();
     }
     take_swept_through({});
@@ -106,6 +103,7 @@ class Joining {
       visit(s.start);
       visit(s.end);
     }
+    for (Thread& thread : swept_[band.index()].threads) visit(thread.top);
     for (EdgeSplit& split : swept_[band.index()].splits) visit(split.point);
   }
 
@@ -159,36 +157,7 @@ class Joining {
     result_.splits.erase(std::unique(result_.splits.begin(), result_.splits.end()), result_.splits.end());
   }
 
-  // An open facet that is seen along its edge with a facet of a patch shows that all of the patch is seen.
-  void find_seen_patches() {
-    std::vector<std::uint8_t> seen_left(scene_.edge_count(), 0);
-    std::vector<std::uint8_t> seen_right(scene_.edge_count(), 0);
-    for (const Opening& o : from_bands_) (o.left_of_edge ? seen_left : seen_right)[o.segment.edge.index()] = 1;
-    seen_.assign(patches_.patch_count, Seen::unknown);
-    for (std::size_t e = 0; e < scene_.edge_count(); ++e) {
-      if (continuation_.is_contour(EdgeId(e))) continue;
-      const Neighbours& across = continuation_.across(EdgeId(e));
-      if (is_open(across.left)) note(across.right, seen_left[e] != 0);
-      if (is_open(across.right)) note(across.left, seen_right[e] != 0);
-    }
-  }
-
-  [[nodiscard]] bool is_open(FacetId f) const { return patches_.role[f.index()] == Role::open; }
-
-  void note(FacetId facet, bool seen) {
-    const PatchId patch = patches_.patch_of[facet.index()];
-    if (!patch.valid()) return;
-    Seen& known = seen_[patch.index()];
-    if (known != Seen::unknown && (known == Seen::yes) != seen) {
-      throw InternalError("the patch of facet " + std::to_string(facet.value) + " is seen in part");
-    }
-    known = seen ? Seen::yes : Seen::no;
-  }
-
-  [[nodiscard]] bool is_seen_patch(FacetId f) const {
-    const PatchId patch = patches_.patch_of[f.index()];
-    return patch.valid() && seen_[patch.index()] == Seen::yes;
-  }
+  [[nodiscard]] bool is_plain(FacetId f) const { return roles_[f.index()] == Role::plain; }
 
   // What opens before point p, crossing by crossing, and what opens at p (invalid: all that is left).
   void take_swept_through(PointId p) {
@@ -203,14 +172,14 @@ class Joining {
   }
 
   // Edges are sorted by their tops.
-  void open_patches_at(PointId p) {
+  void open_plain_at(PointId p) {
     for (; next_edge_ < scene_.edge_count() && scene_.edges[next_edge_].top == p; ++next_edge_) {
       const EdgeId e(next_edge_);
       if (continuation_.is_contour(e)) continue;
       const auto& [left, right] = continuation_.across(e);
       const PointId bottom = scene_.edge(e).bottom;
-      if (is_seen_patch(left)) openings_.push_back({{bottom, p, left, right, e}, {}, {}, true});
-      if (is_seen_patch(right)) openings_.push_back({{p, bottom, right, left, e}, {}, {}, false});
+      if (is_plain(left)) openings_.push_back({{bottom, p, left, right, e}, {}, {}, true});
+      if (is_plain(right)) openings_.push_back({{p, bottom, right, left, e}, {}, {}, false});
     }
   }
 
@@ -251,12 +220,11 @@ class Joining {
 
   const ProjectedScene& scene_;
   const Continuation& continuation_;
-  const Patches& patches_;
+  const std::vector<Role>& roles_;
   const Bands& bands_;
   std::vector<VisibleSegments> swept_;            // per band
   std::vector<std::vector<SegmentId>> new_name_;  // per band and segment of its sweep
   std::vector<Opening> from_bands_;               // in the order in which they open
-  std::vector<Seen> seen_;                        // per patch
   std::vector<Opening> openings_;                 // at the current point
   std::size_t next_swept_ = 0;
   std::size_t next_edge_ = 0;
@@ -265,9 +233,9 @@ class Joining {
 
 }  // namespace
 
-VisibleSegments join_segments(const ProjectedScene& scene, const Continuation& continuation, const Patches& patches,
-                              const Bands& bands, std::vector<VisibleSegments> swept) {
-  return Joining(scene, continuation, patches, bands, std::move(swept)).join();
+VisibleSegments join_segments(const ProjectedScene& scene, const Continuation& continuation,
+                              const std::vector<Role>& roles, const Bands& bands, std::vector<VisibleSegments> swept) {
+  return Joining(scene, continuation, roles, bands, std::move(swept)).join();
 }
 
 }  // namespace sightline

@@ -1,11 +1,10 @@
-// The visible segments of a scene from those of its open facets and the patches that are seen.
+// The visible segments of a scene from those of its open facets and those along the edges of its plain ones.
 //
 // In:  what the sweep of each band has found, in the ids of the whole; the roles of facets.
 // Out: what the sweep of the whole finds, in the same order; the statistics are sums over the bands.
-// Holds: only what a band's sweep says of its own open facets is used, and where these border on patches, whether they are
-//      seen. Where several bands name a crossing, they give it the same name (segment_recorder.h).
+// Holds: only what a band's sweep says of its own open facets is used. Where several bands name a crossing, they give it
+//      the same name (segment_recorder.h).
 // Complexity: O(n log n).
-// Errors: InternalError where a patch seems to be seen from one of its borders and not from another, with a facet of it.
 #pragma once
 
 #include <vector>
@@ -13,13 +12,13 @@
 #include "geometry/projected_scene.h"
 #include "sweep/bands.h"
 #include "sweep/continuation.h"
-#include "sweep/patches.h"
+#include "sweep/roles.h"
 #include "sweep/visible_segments.h"
 
 namespace sightline {
 
 [[nodiscard]] VisibleSegments join_segments(const ProjectedScene& scene, const Continuation& continuation,
-                                            const Patches& patches, const Bands& bands,
+                                            const std::vector<Role>& roles, const Bands& bands,
                                             std::vector<VisibleSegments> swept);
 
 }  // namespace sightline

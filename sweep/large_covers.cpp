@@ -95,11 +95,11 @@ class LargeCovers {
     behind_tile_[tiles_.cell(column, row)] = behind;
   }
 
-  // Whether all edges certainly pass the cell, and two units more, on the left of it as the facet turns: then the facet
-  // covers it, however it was rounded. The products are off by less than 2^-50 of their absolute values.
+  // Whether all edges certainly pass the cell on the left of it as the facet turns: then the facet's rounded polygon
+  // covers it. The products are off by less than 2^-50 of their absolute values.
   [[nodiscard]] bool covers(FacetId f, std::span<const ImagePoint> outline, const ImagePoint& centre) const {
     const double turn = scene_.facing[f.index()] == Facing::back ? -1 : 1;
-    const double half = static_cast<double>(cells_.cell_size()) / 2 + 2;
+    const double half = static_cast<double>(cells_.cell_size()) / 2;
     for (std::size_t i = 0; i < outline.size(); ++i) {
       const ImagePoint& a = outline[i];
       const ImagePoint& b = outline[i + 1 == outline.size() ? 0 : i + 1];

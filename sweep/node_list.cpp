@@ -1,7 +1,9 @@
 #include "sweep/node_list.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
+#include <vector>
 
 #include "geometry/mix.h"
 
@@ -36,62 +38,85 @@ Node* change_of(FacetId facet, Changes& changes) {
   return found->facet == facet ? &*found : nullptr;
 }
 
+// Those that are not deeper than all of another. The list is sorted by where depths begin.
+std::vector<FacetId> in_range(std::span<const Node> nodes, const DepthOrder& depth) {
+  std::vector<FacetId> facets;
+  double least_deep_end = std::numeric_limits<double>::infinity();
+  for (const Node& node : nodes) {
+    const DepthRange& range = depth.range(node.facet);
+    if (range.nearest > least_deep_end) break;
+    least_deep_end = std::min(least_deep_end, range.farthest);
+    facets.push_back(node.facet);
+  }
+  return facets;
+}
+
+// Whoever is nearer than most others is in the top cycle, and so is whoever is nearer than one in it.
+FacetId lowest_of_top_cycle(const std::vector<FacetId>& facets, DepthOrder& depth) {
+  const auto is_nearer = [&](FacetId f, FacetId g) { return f != g && depth.nearer(f, g); };
+  const auto count_behind = [&](FacetId f) {
+    return std::count_if(facets.begin(), facets.end(), [&](FacetId g) { return is_nearer(f, g); });
+  };
+  std::vector<FacetId> others = facets;
+  std::vector<FacetId> cycle{*std::ranges::max_element(facets, {}, count_behind)};
+  for (std::size_t i = 0; i < cycle.size(); ++i) {
+    std::erase(others, cycle[i]);
+    for (const FacetId f : others) {
+      if (is_nearer(f, cycle[i])) cycle.push_back(f);
+    }
+    std::erase_if(others, [&](FacetId f) { return std::ranges::find(cycle, f) != cycle.end(); });
+  }
+  return *std::ranges::min_element(cycle);
+}
+
 }  // namespace
 
-// One pass over the list, however many facets change: thousands of edges may coincide. Facets that leave go first, so
-// that those that enter are compared with as few as possible.
-void NodeList::cross(std::span<const EdgeSide> sides, DepthOrder& depth, NodeOrder order) {
+// One pass over the list, however many facets change: thousands of edges may coincide.
+void NodeList::cross(std::span<const EdgeSide> sides, DepthOrder& depth) {
   Changes changes = changes_of(sides);
+  bool stays = is_topmost_nearest_ && topmost_.valid();
   for (const Node& change : changes)
     fingerprint_ += static_cast<std::uint64_t>(static_cast<std::int64_t>(change.winding)) * mix(change.facet.value);
   for (Node& node : nodes_) {
     if (Node* change = change_of(node.facet, changes)) node.winding += std::exchange(change->winding, 0);
+    stays = stays && (node.winding != 0 || node.facet != topmost_);
   }
-  remove_leaving(depth, order);
+  drop_zeros(nodes_);
   drop_zeros(changes);
-  for (const Node& entering : changes) insert(entering, depth, order);
-  topmost_ = find_topmost(depth, order);
-}
-
-// A facet that leaves may have been a phantom, over the span in the rounded image only: others may have come on the wrong
-// side of each other because of their order with it. So those that become neighbours are compared.
-void NodeList::remove_leaving(DepthOrder& depth, NodeOrder order) {
-  bool in_order = true;
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    if (nodes_[i].winding == 0) continue;
-    if (order == NodeOrder::depth && kept > 0 && nodes_[i - 1].winding == 0)
-      in_order = in_order && depth.nearer(nodes_[kept - 1].facet, nodes_[i].facet);
-    nodes_[kept++] = nodes_[i];
+  for (const Node& entering : changes) {
+    insert(entering, depth);
+    stays = stays && depth.nearer(topmost_, entering.facet);
   }
-  nodes_.resize(kept);
-  if (!in_order) sort_by_depth(depth);
+  if (!stays) find_topmost(depth);
 }
 
-// Insertion sort ends whatever the order is.
-void NodeList::sort_by_depth(DepthOrder& depth) {
-  for (std::size_t i = 1; i < nodes_.size(); ++i) {
-    for (std::size_t k = i; k > 0 && depth.nearer(nodes_[k].facet, nodes_[k - 1].facet); --k) {
-      std::swap(nodes_[k], nodes_[k - 1]);
-    }
-  }
-}
-
-void NodeList::insert(const Node& node, DepthOrder& depth, NodeOrder order) {
+void NodeList::insert(const Node& node, const DepthOrder& depth) {
+  const double nearest = depth.range(node.facet).nearest;
   const auto place = std::partition_point(nodes_.begin(), nodes_.end(), [&](const Node& other) {
-    return order == NodeOrder::depth ? depth.nearer(other.facet, node.facet) : other.facet < node.facet;
+    const double begin = depth.range(other.facet).nearest;
+    return begin < nearest || (begin == nearest && other.facet < node.facet);
   });
   nodes_.insert(place, node);
 }
 
-FacetId NodeList::find_topmost(DepthOrder& depth, NodeOrder order) const {
-  if (nodes_.empty()) return FacetId{};
-  FacetId best = nodes_.front().facet;
-  if (order == NodeOrder::depth) return best;
-  for (const Node& node : nodes().subspan(1)) {
-    if (depth.nearer(node.facet, best)) best = node.facet;
+// The nearest one, if there is one, is left when each in turn meets the best so far.
+void NodeList::find_topmost(DepthOrder& depth) {
+  topmost_ = {};
+  is_topmost_nearest_ = true;
+  if (nodes_.empty()) return;
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < nodes_.size(); ++i) {
+    if (depth.range(nodes_[best].facet).farthest < depth.range(nodes_[i].facet).nearest) break;
+    if (depth.nearer(nodes_[i].facet, nodes_[best].facet)) best = i;
   }
-  return best;
+  is_topmost_nearest_ = is_nearest(best, depth);
+  topmost_ = is_topmost_nearest_ ? nodes_[best].facet : lowest_of_top_cycle(in_range(nodes(), depth), depth);
+}
+
+// Those after it have met it.
+bool NodeList::is_nearest(std::size_t node, DepthOrder& depth) const {
+  return std::ranges::all_of(nodes().first(node),
+                             [&](const Node& other) { return depth.nearer(nodes_[node].facet, other.facet); });
 }
 
 }  // namespace sightline

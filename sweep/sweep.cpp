@@ -15,16 +15,11 @@
 namespace sightline {
 namespace {
 
-// Thrown where a span, reached from above and around the sweep point, has the same facets but different topmost ones:
-// the depths are not transitive there, because facets overlap in the rounded image only.
-struct IntransitiveDepth {};
-
 template <class Decisions>
 class Sweep : private SweepState {
  public:
-  Sweep(const Mesh& mesh, const ProjectedScene& scene, NodeOrder order, SweepObserver* observer)
+  Sweep(const Mesh& mesh, const ProjectedScene& scene, SweepObserver* observer)
       : scene_(scene),
-        order_(order),
         observer_(observer),
         input_(mesh, scene),
         directions_(scene),
@@ -32,9 +27,7 @@ class Sweep : private SweepState {
         active_(scene.edge_count()),
         ranges_(Decisions::is_exact ? depth_ranges(scene) : std::vector<DepthRange>{}),
         depth_(mesh, scene, ranges_),
-        recorder_(mesh, scene, result_) {
-    result_.statistics.depth_is_transitive = order_ == NodeOrder::depth;
-  }
+        recorder_(mesh, scene, result_) {}
 
   VisibleSegments run() {
     while (queue_.next(point_)) {
@@ -173,18 +166,21 @@ class Sweep : private SweepState {
     for (const BundleId b : below_) {
       for (const EdgeId e : active_[b].edges)
         sides_.insert(sides_.end(), scene_.sides_of(e).begin(), scene_.sides_of(e).end());
-      list.cross(sides_, depth_, order_);
+      list.cross(sides_, depth_);
       sides_.clear();
+      note_order(list);
       if (b != below_.back()) active_[b].right = list;
     }
     check(list.same_contents(old_right_list_), "the node lists around the point do not agree");
     check(right_neighbour_.valid() || old_right_list_.nodes().empty(),
           "the node list right of the last bundle is not empty");
-    if (list.topmost() != old_right_list_.topmost()) {
-      check(order_ == NodeOrder::depth, "equal node lists have different topmost facets");
-      throw IntransitiveDepth{};
-    }
+    check(list.topmost() == old_right_list_.topmost(), "equal node lists have different topmost facets");
     if (!below_.empty()) active_[below_.back()].right = std::move(old_right_list_);
+  }
+
+  void note_order(const NodeList& list) {
+    bool& is_transitive = result_.statistics.depth_is_transitive;
+    is_transitive = is_transitive && list.is_topmost_nearest();
   }
 
   void queue_crossings() {
@@ -277,7 +273,6 @@ class Sweep : private SweepState {
   }
 
   const ProjectedScene& scene_;
-  const NodeOrder order_;
   SweepObserver* const observer_;
   const SweepInput input_;
   const EdgeDirections<Decisions> directions_;
@@ -301,23 +296,14 @@ class Sweep : private SweepState {
   NodeList old_right_list_;
 };
 
-template <class Decisions>
-VisibleSegments sweep_with(const Mesh& mesh, const ProjectedScene& scene, SweepObserver* observer) {
-  try {
-    return Sweep<Decisions>(mesh, scene, NodeOrder::depth, observer).run();
-  } catch (const IntransitiveDepth&) {
-    return Sweep<Decisions>(mesh, scene, NodeOrder::tournament, observer).run();
-  }
-}
-
 }  // namespace
 
 VisibleSegments sweep(const Mesh& mesh, const ProjectedScene& scene, SweepObserver* observer) {
-  if (scene.arithmetic == Arithmetic::exact) return sweep_with<ExactDecisions>(mesh, scene, observer);
+  if (scene.arithmetic == Arithmetic::exact) return Sweep<ExactDecisions>(mesh, scene, observer).run();
   return with_invariants_of(scene.arithmetic, [&] {
     return scene.arithmetic == Arithmetic::single_precision
-               ? sweep_with<UnfilteredDecisions<float>>(mesh, scene, observer)
-               : sweep_with<UnfilteredDecisions<double>>(mesh, scene, observer);
+               ? Sweep<UnfilteredDecisions<float>>(mesh, scene, observer).run()
+               : Sweep<UnfilteredDecisions<double>>(mesh, scene, observer).run();
   });
 }
 

@@ -3,9 +3,9 @@
 // In:  a mesh whose facets do not pass through each other (cut_along_common_lines), its projected scene, and optionally an
 //      observer.
 // Out: VisibleSegments (see there for what holds). Where facets overlap in the rounded image only, their order may be no
-//      order: then the topmost facet of a span is found by a tournament that depends on nothing but the span's facets,
-//      so that every ring closes all the same (NodeOrder in node_list.h). The observer then sees the sweep begin anew.
-//      The same holds, with the wrong facet on top in places, for facets that pass through each other.
+//      order; the topmost facet of a span depends on nothing but the span's facets (node_list.h), so that every ring
+//      closes all the same. The same holds, with the wrong facet on top in places, for facets that pass through each
+//      other.
 //      In float and double (scene.arithmetic) the sweep's decisions may contradict each other. It then ends with an
 //      ArithmeticError, or with a result of which `validate` may complain, but whose points all have a place. It ends:
 //      two edges swap at most once, since below a common point their slopes decide, and slopes are numbers.

@@ -59,7 +59,7 @@ struct SweepStatistics {
       0;  // more than one vertex event or pair of edges at once, or a vertex on an edge
   std::uint64_t crossings = 0;
   std::uint64_t depth_comparisons = 0;
-  bool depth_is_transitive = true;  // false: spans were decided by tournament (node_list.h)
+  bool depth_is_transitive = true;  // false: over some span no facet was nearer than all others (node_list.h)
   predicates::Counts predicates;
 
   SweepStatistics& operator+=(const SweepStatistics& other) {

@@ -12,7 +12,8 @@
 #include "sweep/depth_ranges.h"
 #include "sweep/engine.h"
 #include "sweep/large_covers.h"
-#include "sweep/patches.h"
+#include "sweep/roles.h"
+#include "sweep/scene_part.h"
 
 namespace sightline {
 namespace {
@@ -89,7 +90,8 @@ TEST_CASE("facet cells: every cell in which a point of the facet lies is named, 
     const ProjectedScene scene = seen_from_above(mesh, 12);
     if (scene.status.empty() || scene.status[0] != Status::in_view) continue;
     const CellGrid grid(scene.grid_bits, round % 6);
-    const FacetCells cells(scene, grid, {0});
+    const Continuation continuation(scene);
+    const FacetCells cells(scene, continuation, grid, {0});
     std::set<CellIndex> named;
     for (const FacetCell& cell : cells.of(FacetId(0))) named.insert(cell.cell());
     const auto polygon = scene.polygon(FacetId(0));
@@ -104,10 +106,9 @@ TEST_CASE("facet cells: every cell in which a point of the facet lies is named, 
         }
         if (inside) CHECK(named.contains(grid.cell(column, row)));
         for (const FacetCell& cell : cells.of(FacetId(0))) {
-          if (cell.cell() == grid.cell(column, row) && cell.over_centre()) {
-            CHECK(inside);
-            ++over_centre;
-          }
+          if (cell.cell() != grid.cell(column, row)) continue;
+          CHECK(cell.over_centre() == (inside || !continuation.is_proper(FacetId(0))));
+          over_centre += inside ? 1 : 0;
         }
       }
     }
@@ -180,13 +181,13 @@ TEST_CASE("covers: sheets behind a sheet are hidden, whatever their borders are,
   const ProjectedScene scene = seen_from_above(mesh);
   const CellGrid grid(scene.grid_bits, 5);
   const std::vector<std::uint8_t> none(mesh.facet_count(), 0);
-  const FacetCells cells(scene, grid, none);
-  const auto hidden = hidden_behind_covers(mesh, scene, depth_ranges(scene), Continuation(scene), grid, cells, none);
+  const Continuation continuation(scene);
+  const FacetCells cells(scene, continuation, grid, none);
+  const auto hidden = find_covers(mesh, scene, depth_ranges(scene), continuation, grid, cells, none).hidden;
   const VisibleSegments full = sweep(mesh, scene);
   for (const VisibleSegment& s : full.segments) CHECK(hidden[s.facet.index()] == 0);
   CHECK(count_of({hidden.begin(), hidden.begin() + 512}) == 0);
-  // All but those at the sheets' common diagonal, where no facet is over the centres of the cells.
-  CHECK(count_of({hidden.begin() + 512, hidden.begin() + 512 + 98}) == 98 - 14 - 12);
+  CHECK(count_of({hidden.begin() + 512, hidden.begin() + 512 + 98}) == 98);
   CHECK(count_of({hidden.begin() + 610, hidden.end()}) > 0);
 }
 
@@ -201,36 +202,130 @@ TEST_CASE("covers: sheets without a depth between them hide by their order") {
   const ProjectedScene scene = seen_from_above(tilted);
   const CellGrid grid(scene.grid_bits, 5);
   const std::vector<std::uint8_t> none(tilted.facet_count(), 0);
-  const FacetCells cells(scene, grid, none);
-  const auto hidden = hidden_behind_covers(tilted, scene, depth_ranges(scene), Continuation(scene), grid, cells, none);
+  const Continuation continuation(scene);
+  const FacetCells cells(scene, continuation, grid, none);
+  const auto hidden = find_covers(tilted, scene, depth_ranges(scene), continuation, grid, cells, none).hidden;
   CHECK(count_of({hidden.begin(), hidden.begin() + 512}) == 0);
   CHECK(count_of({hidden.begin() + 512, hidden.end()}) > 450 / 2);
   for (const VisibleSegment& s : sweep(tilted, scene).segments) CHECK(hidden[s.facet.index()] == 0);
 }
 
-TEST_CASE("patches: the inside of a sheet is one patch, its border is open, and touched facets are never plain") {
-  Mesh mesh = sheets({{1, 0.8, 16}});
+TEST_CASE("roles: the inside of a sheet is plain, its border is open") {
+  const Mesh mesh = sheets({{1, 0.8, 16}});
   const ProjectedScene scene = seen_from_above(mesh);
   const CellGrid grid(scene.grid_bits, 5);
   const std::vector<std::uint8_t> none(mesh.facet_count(), 0);
-  const FacetCells cells(scene, grid, none);
   const Continuation continuation(scene);
-  const Patches patches = find_patches(mesh, scene, continuation, none, grid, cells);
-  CHECK(patches.patch_count == 1);
-  const auto plain = std::ranges::count(patches.role, Role::plain);
+  const FacetCells cells(scene, continuation, grid, none);
+  const Covers covers = find_covers(mesh, scene, depth_ranges(scene), continuation, grid, cells, none);
+  const std::vector<Role> roles = find_roles(mesh, scene, continuation, covers, grid, cells);
+  const auto plain = std::ranges::count(roles, Role::plain);
   CHECK(plain > 256);
   CHECK(plain < 512 - 64);
-  CHECK(std::ranges::count(patches.role, Role::open) == 512 - plain);
-  mesh.touched.assign(mesh.facet_count(), 1);
-  CHECK(find_patches(mesh, scene, continuation, none, grid, cells).patch_count == 0);
+  CHECK(std::ranges::count(roles, Role::open) == 512 - plain);
 }
 
-TEST_CASE("engines: without knowledge of contacts, and in double, everything is swept") {
-  Mesh mesh = sheets({{1, 0.8, 16}, {2, 0.5, 7}});
+TEST_CASE("roles: beside a hidden facet of the sheet none is plain") {
+  const Mesh mesh = sheets({{1, 0.8, 16}});
   const ProjectedScene scene = seen_from_above(mesh);
+  const CellGrid grid(scene.grid_bits, 5);
+  const std::vector<std::uint8_t> none(mesh.facet_count(), 0);
+  const Continuation continuation(scene);
+  const FacetCells cells(scene, continuation, grid, none);
+  Covers covers = find_covers(mesh, scene, depth_ranges(scene), continuation, grid, cells, none);
+  const FacetId hidden(256 + 16);
+  covers.hidden[hidden.index()] = 1;
+  const std::vector<Role> roles = find_roles(mesh, scene, continuation, covers, grid, cells);
+  CHECK(roles[hidden.index()] == Role::hidden);
+  std::size_t beside = 0;
+  for (const EdgeId e : continuation.edges_of(scene, hidden)) {
+    for (const EdgeSide& side : scene.sides_of(e)) {
+      if (side.facet == hidden) continue;
+      CHECK(roles[side.facet.index()] == Role::open);
+      ++beside;
+    }
+  }
+  CHECK(beside == 3);
+}
+
+// What is left of the common border is hidden, and four segments run around the rest.
+TEST_CASE("engines: a facet between two sheets whose borders fall on each other") {
+  const Mesh mesh = mesh_of({{-0.9, -0.9, -1},
+                             {0, -0.9, -1},
+                             {0, 0.9, -1},
+                             {-0.9, 0.9, -1},
+                             {0.9, -0.9, -3},
+                             {0.9, 0.9, -3},
+                             {0, 0.9, -3},
+                             {0, -0.9, -3},
+                             {-0.01, 0, -2},
+                             {0.01, -0.01, -2},
+                             {0.01, 0.01, -2}},
+                            {{0, 1, 2, 3}, {4, 5, 6, 7}, {8, 9, 10}});
+  const ProjectedScene scene = seen_from_above(mesh);
+  const Continuation continuation(scene);
+  for (std::size_t e = 0; e < scene.edge_count(); ++e) CHECK(continuation.is_contour(EdgeId(e)));
+  for (const int level : {1, 2, 3, 4}) {
+    const auto segments = fast_visible_segments(mesh, scene, {level, 1}).segments;
+    CHECK(std::ranges::count(segments, FacetId(2), &VisibleSegment::facet) == 4);
+  }
+}
+
+TEST_CASE("continuation: a sliver that rounding makes a line has contour edges, and its sheet a slit") {
+  const Mesh mesh = mesh_of({{-0.5, 0, -1}, {0.5, 0, -1}, {0.1, 1e-15, -1}, {0, 0.5, -1}, {0, -0.5, -1}},
+                            {{0, 1, 2}, {0, 2, 3}, {2, 1, 3}, {0, 4, 1}});
+  const ProjectedScene scene = seen_from_above(mesh);
+  const Continuation continuation(scene);
+  REQUIRE(mesh.facet_count() == 4);
+  CHECK_FALSE(continuation.is_proper(FacetId(0)));
+  std::size_t contours = 0;
+  for (std::size_t e = 0; e < scene.edge_count(); ++e) contours += continuation.is_contour(EdgeId(e)) ? 1 : 0;
+  CHECK(scene.edge_count() == 8);
+  CHECK(contours == 7);
+  for (const int level : {0, 3, 6}) {
+    for (const VisibleSegment& s : fast_visible_segments(mesh, scene, {level, 1}).segments)
+      CHECK(s.facet != FacetId(0));
+  }
+}
+
+// Two squares overlap at their corners. Behind both lies a triangle, with a corner where their borders cross.
+TEST_CASE("scene parts: a crossing of the part may be a vertex of the whole") {
+  const Mesh mesh = mesh_of({{-0.5, -0.5, -1},
+                             {0.25, -0.5, -1},
+                             {0.25, 0.25, -1},
+                             {-0.5, 0.25, -1},
+                             {-0.25, -0.25, -2},
+                             {0.5, -0.25, -2},
+                             {0.5, 0.5, -2},
+                             {-0.25, 0.5, -2},
+                             {0.25, -0.25, -3},
+                             {0.125, 0, -3},
+                             {0, 0, -3}},
+                            {{0, 1, 2, 3}, {4, 5, 6, 7}, {8, 9, 10}});
+  const ProjectedScene whole = seen_from_above(mesh);
+  const std::array<FacetId, 2> kept{FacetId(0), FacetId(1)};
+  const ScenePart part = part_of(whole, Continuation(whole), kept);
+  CHECK(part.point.size() == 8);
+  const VisibleSegments of_part = sweep(mesh, part.scene);
+  CHECK(of_part.crossings.size() == 2);
+  const VisibleSegments found = in_whole(whole, part, of_part);
+  const VisibleSegments expected = sweep(mesh, whole);
+  CHECK(found.crossings.size() == 1);
+  CHECK(expected.crossings.size() == 1);
+  const auto ends = [](const VisibleSegments& segments) {
+    std::vector<std::array<PointId, 2>> all;
+    for (const VisibleSegment& s : segments.segments) all.push_back({s.start, s.end});
+    return all;
+  };
+  CHECK(ends(found) == ends(expected));
+}
+
+TEST_CASE("engines: in double, everything is swept") {
+  const Mesh mesh = sheets({{1, 0.8, 16}, {2, 0.5, 7}});
+  ProjectedScene scene = seen_from_above(mesh);
   const std::uint64_t all = sweep(mesh, scene).statistics.sweep_points;
   CHECK(fast_visible_segments(mesh, scene, {5, 1}).statistics.sweep_points < all);
-  mesh.touched.clear();
+  scene.arithmetic = Arithmetic::double_precision;
   CHECK(fast_visible_segments(mesh, scene, {5, 1}).statistics.sweep_points == all);
 }
 

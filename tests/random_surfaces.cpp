@@ -80,4 +80,28 @@ RandomSurfaces random_surfaces(std::uint64_t seed) {
   return {build_mesh(std::move(faces.vertices), std::move(faces.list)), camera_above(dice)};
 }
 
+RandomSurfaces crowded_surfaces(std::uint64_t seed) {
+  Dice dice(seed);
+  Faces faces;
+  const int sheets = dice.between(2, 3);
+  const auto cells = static_cast<std::size_t>(1 << dice.between(2, 4));
+  const double size = 32.0 / static_cast<double>(cells);
+  const auto hundredths = [&dice](int most) { return dice.between(-most, most) * 0.01; };
+  std::vector<Point3> places;
+  for (std::size_t i = 0; i < (cells + 1) * (cells + 1); ++i)
+    places.push_back({static_cast<double>(i % (cells + 1)) * size - 16 + hundredths(40),
+                      static_cast<double>(i / (cells + 1)) * size - 16 + hundredths(40), hundredths(400)});
+  const int spread = dice.between(1, 40);
+  for (int sheet = 0; sheet < sheets; ++sheet) {
+    const std::size_t first = faces.vertices.size();
+    const int waves = dice.between(0, 400);
+    for (const Point3& p : places)
+      faces.vertices.push_back(
+          {p.x + hundredths(spread), p.y + hundredths(spread), p.z + 3.0 * sheet + hundredths(waves)});
+    for (std::size_t i = 0; i < cells * cells; ++i)
+      add_square(faces, first + i / cells * (cells + 1) + i % cells, cells + 1, false);
+  }
+  return {build_mesh(std::move(faces.vertices), std::move(faces.list)), camera_above(dice)};
+}
+
 }  // namespace sightline::testing

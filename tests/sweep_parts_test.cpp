@@ -152,43 +152,41 @@ TEST_CASE("a crossing counts once, however often its edges become neighbours") {
   }
 }
 
-TEST_CASE("node lists: shallowest first, and the same contents whatever the way") {
+TEST_CASE("node lists: the same contents and the same topmost facet whatever the way") {
   const Mesh mesh = stack({0, 1, 2});
   const ProjectedScene scene = project(mesh, from_above(), Sides::both);
   DepthOrder depth(mesh, scene);
   const auto enter = [](std::size_t f) { return EdgeSide{FacetId(f), 1, MeshEdgeId{}}; };
   const auto leave = [](std::size_t f) { return EdgeSide{FacetId(f), -1, MeshEdgeId{}}; };
-  for (const NodeOrder order : {NodeOrder::depth, NodeOrder::tournament}) {
-    NodeList list;
-    CHECK_FALSE(list.topmost().valid());
-    list.cross(std::array{enter(1), enter(0)}, depth, order);
-    CHECK(list.topmost() == FacetId(1));
-    list.cross(std::array{enter(2)}, depth, order);
-    CHECK(list.topmost() == FacetId(2));
-    NodeList other;
-    other.cross(std::array{enter(0)}, depth, order);
-    other.cross(std::array{enter(2), enter(1)}, depth, order);
-    CHECK(list.same_contents(other));
-    other.cross(std::array{leave(2)}, depth, order);
-    CHECK(other.topmost() == FacetId(1));
-    CHECK_FALSE(list.same_contents(other));
-    // A facet that the rounding has turned over leaves before it enters.
-    NodeList turned;
-    turned.cross(std::array{leave(0)}, depth, order);
-    CHECK(turned.topmost() == FacetId(0));
-    turned.cross(std::array{enter(0)}, depth, order);
-    CHECK_FALSE(turned.topmost().valid());
-    CHECK(turned.same_contents(NodeList{}));
-    // A facet with both of its sides on one bundle is not there; one that leaves and one that enters trade places.
-    turned.cross(std::array{enter(2), enter(1), leave(2)}, depth, order);
-    CHECK(turned.topmost() == FacetId(1));
-    turned.cross(std::array{enter(0), leave(1)}, depth, order);
-    CHECK(turned.topmost() == FacetId(0));
-    CHECK(turned.nodes().size() == 1);
-  }
+  NodeList list;
+  CHECK_FALSE(list.topmost().valid());
+  list.cross(std::array{enter(1), enter(0)}, depth);
+  CHECK(list.topmost() == FacetId(1));
+  list.cross(std::array{enter(2)}, depth);
+  CHECK(list.topmost() == FacetId(2));
+  NodeList other;
+  other.cross(std::array{enter(0)}, depth);
+  other.cross(std::array{enter(2), enter(1)}, depth);
+  CHECK(list.same_contents(other));
+  other.cross(std::array{leave(2)}, depth);
+  CHECK(other.topmost() == FacetId(1));
+  CHECK_FALSE(list.same_contents(other));
+  // A facet that the rounding has turned over leaves before it enters.
+  NodeList turned;
+  turned.cross(std::array{leave(0)}, depth);
+  CHECK(turned.topmost() == FacetId(0));
+  turned.cross(std::array{enter(0)}, depth);
+  CHECK_FALSE(turned.topmost().valid());
+  CHECK(turned.same_contents(NodeList{}));
+  // A facet with both of its sides on one bundle is not there; one that leaves and one that enters trade places.
+  turned.cross(std::array{enter(2), enter(1), leave(2)}, depth);
+  CHECK(turned.topmost() == FacetId(1));
+  turned.cross(std::array{enter(0), leave(1)}, depth);
+  CHECK(turned.topmost() == FacetId(0));
+  CHECK(turned.nodes().size() == 1);
 }
 
-TEST_CASE("node lists: bars that overlap in a ring, and are put in order when the one between two of them leaves") {
+TEST_CASE("node lists: of bars that overlap in a ring the lowest is topmost, and of two of them the nearer one") {
   // Each bar rises along a side of a triangle and lies on the next one's lower end.
   const std::array<Point3, 3> ring{Point3{4, 0, 0}, Point3{-2, 3, 0}, Point3{-2, -3, 0}};
   std::vector<testing::Corners> bars;
@@ -206,15 +204,14 @@ TEST_CASE("node lists: bars that overlap in a ring, and are put in order when th
   for (std::size_t i = 0; i < 3; ++i) REQUIRE(depth.nearer(FacetId(i), FacetId((i + 1) % 3)));
 
   const auto side = [](std::size_t f, int winding) { return EdgeSide{FacetId(f), winding, MeshEdgeId{}}; };
-  for (std::size_t last = 0; last < 3; ++last) {
-    CAPTURE(last);
+  for (std::size_t first = 0; first < 3; ++first) {
+    CAPTURE(first);
     NodeList list;
-    for (const std::size_t f : {last + 1, last + 2, last})
-      list.cross(std::array{side(f % 3, 1)}, depth, NodeOrder::depth);
-    const FacetId between = list.nodes()[1].facet;
-    const FacetId other_end = list.nodes()[2].facet;
-    REQUIRE(depth.nearer(other_end, list.nodes()[0].facet));
-    list.cross(std::array{side(between.index(), -1)}, depth, NodeOrder::depth);
-    CHECK(list.topmost() == other_end);
+    for (std::size_t i = 0; i < 3; ++i) list.cross(std::array{side((first + i) % 3, 1)}, depth);
+    CHECK(list.topmost() == FacetId(0));
+    CHECK_FALSE(list.is_topmost_nearest());
+    list.cross(std::array{side(first, -1)}, depth);
+    CHECK(list.topmost() == FacetId((first + 1) % 3));
+    CHECK(list.is_topmost_nearest());
   }
 }

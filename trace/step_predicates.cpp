@@ -16,6 +16,15 @@ StepPredicates::StepPredicates(const Mesh& mesh, const SweepLog& log, const Scen
       depth_(mesh, log.scene, ranges_),
       pieces_(mesh, log.scene) {}
 
+// Insertion sort ends whatever the order is. Where depths are no order the topmost facet need not be the first.
+void StepPredicates::sort_by_depth(std::vector<FacetId>& facets, FacetId topmost) {
+  for (std::size_t i = 1; i < facets.size(); ++i) {
+    for (std::size_t k = i; k > 0 && depth_.nearer(facets[k], facets[k - 1]); --k) std::swap(facets[k], facets[k - 1]);
+  }
+  const auto first = std::find(facets.begin(), facets.end(), topmost);
+  if (first != facets.end()) std::rotate(facets.begin(), first, first + 1);
+}
+
 std::vector<LoggedPredicate> StepPredicates::of(const SweepStep& step, std::span<const LoggedBundle> before,
                                                 std::span<const LoggedBundle> after) {
   found_.clear();
@@ -23,7 +32,7 @@ std::vector<LoggedPredicate> StepPredicates::of(const SweepStep& step, std::span
   add_sides(step, before, after);
   add_directions(step);
   add_meetings(step, after);
-  if (log_.depth_is_transitive) add_depths(step, before);
+  add_depths(step, before);
   return std::move(found_);
 }
 

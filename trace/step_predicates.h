@@ -10,8 +10,7 @@
 //   - depth:     for facets that are new neighbours in a node list, which is in front.
 // They are decided again here, by the functions that the sweep calls (image_decisions.h, crossing_point.h,
 // predicates.h, depth_ranges.h), tier by tier. So a sweep that is not traced pays nothing, and its counts are its
-// own. A sweep may have asked more than is listed: a search in the active edge list, or in a node list, meets others
-// on its way.
+// own. It asks for other sides on its way through the active edge list, and for fewer depths: only what is topmost counts.
 // decided_by: integers (exact by their size, there is no filter), filter (double, with a proven bound), exact
 //      (integers of any size, where the filter did not decide), ranges (depths that do not overlap), rule (no
 //      arithmetic), float, double.
@@ -32,6 +31,9 @@ namespace sightline {
 class StepPredicates {
  public:
   StepPredicates(const Mesh& mesh, const SweepLog& log, const SceneNames& names);
+
+  // From the nearest to the farthest, as Fang has his node lists; of the facets of a list, with its topmost one.
+  void sort_by_depth(std::vector<FacetId>& facets, FacetId topmost);
 
   [[nodiscard]] std::vector<LoggedPredicate> of(const SweepStep& step, std::span<const LoggedBundle> before,
                                                 std::span<const LoggedBundle> after);

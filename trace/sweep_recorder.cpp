@@ -16,13 +16,11 @@ SegmentNumber number_of(const OpenSegment& open) {
   return open.segment.valid() ? static_cast<SegmentNumber>(open.segment.index() + 1) : 0;
 }
 
-// Where depths are no order the topmost facet is not the first of its list.
-LoggedBundle logged(const Bundle& bundle) {
+LoggedBundle logged(const Bundle& bundle, StepPredicates& predicates) {
   LoggedBundle result;
   result.edges.assign(bundle.edges.begin(), bundle.edges.end());
   for (const Node& node : bundle.right.nodes()) result.nodes.push_back(node.facet);
-  const auto topmost = std::find(result.nodes.begin(), result.nodes.end(), bundle.right.topmost());
-  if (topmost != result.nodes.end()) std::rotate(result.nodes.begin(), topmost, topmost + 1);
+  predicates.sort_by_depth(result.nodes, bundle.right.topmost());
   result.left_segment = number_of(bundle.left_segment);
   result.right_segment = number_of(bundle.right_segment);
   return result;
@@ -61,7 +59,6 @@ SweepRecorder::SweepRecorder(const Mesh& mesh, const SceneNames& names, std::siz
     : mesh_(mesh), names_(names), most_steps_(most_steps), log_(log), predicates_(mesh, log, names) {}
 
 void SweepRecorder::look(const SweepState& state) {
-  if (state.so_far().statistics.sweep_points == 1) begin_anew();
   log_.depth_is_transitive = state.so_far().statistics.depth_is_transitive;
   if (log_.steps.size() == most_steps_) throw TooManySteps("the sweep has too many points to be traced");
   SweepStep step;
@@ -81,19 +78,11 @@ void SweepRecorder::look(const SweepState& state) {
   log_.steps.push_back(std::move(step));
 }
 
-void SweepRecorder::begin_anew() {
-  log_.steps.clear();
-  log_.segments.clear();
-  active_.clear();
-  crossings_ = 0;
-  threads_ = 0;
-}
-
 // Only the bundles through the point differ.
-void SweepRecorder::find_bundles(const SweepState& state, std::vector<LoggedBundle>& after, SweepStep& step) const {
+void SweepRecorder::find_bundles(const SweepState& state, std::vector<LoggedBundle>& after, SweepStep& step) {
   const ActiveEdgeList& active = state.active();
   for (BundleId b = active.first(); b.valid(); b = active.next(b)) {
-    after.push_back(logged(active[b]));
+    after.push_back(logged(active[b], predicates_));
     if (b == state.left_neighbour()) step.position = after.size();
   }
   const std::size_t below = state.below().size();

@@ -29,8 +29,7 @@ class SweepRecorder : public SweepObserver {
   void look(const SweepState& state) override;
 
  private:
-  void begin_anew();
-  void find_bundles(const SweepState& state, std::vector<LoggedBundle>& after, SweepStep& step) const;
+  void find_bundles(const SweepState& state, std::vector<LoggedBundle>& after, SweepStep& step);
   void find_edges(SweepStep& step) const;
   void name_point(SweepStep& step);
   void find_segments(const VisibleSegments& so_far, SweepStep& step);
