@@ -8,6 +8,7 @@
 
 #include <boost/container/small_vector.hpp>
 #include <cstdint>
+#include <cstdlib>
 #include <span>
 
 #include "geometry/image_point.h"
@@ -36,6 +37,11 @@ class CellGrid {
   [[nodiscard]] CellIndex cell(unsigned column, unsigned row) const { return (row << level_) + column; }
   [[nodiscard]] ImagePoint centre(unsigned column, unsigned row) const;
   [[nodiscard]] std::int64_t cell_size() const { return std::int64_t{1} << shift_; }
+
+  // Whether an edge runs along the window's border. What it belongs to does not end there for a cell.
+  [[nodiscard]] bool is_on_border(const ImagePoint& a, const ImagePoint& b) const {
+    return (a.x == b.x && std::abs(a.x) == half_window_) || (a.y == b.y && std::abs(a.y) == half_window_);
+  }
 
   // The cells that the points' bounding box touches. Precondition: there is a point.
   [[nodiscard]] CellRange range_of(std::span<const ImagePoint> points) const;

@@ -214,8 +214,9 @@ class CoverFinder {
   }
 
   [[nodiscard]] bool misses_cell(EdgeId e) const {
-    const SceneEdge& edge = scene_.edge(e);
-    return misses(scene_.point(edge.top), scene_.point(edge.bottom), centre_, grid_.cell_size());
+    const ImagePoint& top = scene_.point(scene_.edge(e).top);
+    const ImagePoint& bottom = scene_.point(scene_.edge(e).bottom);
+    return grid_.is_on_border(top, bottom) || misses(top, bottom, centre_, grid_.cell_size());
   }
 
   [[nodiscard]] FacetId across(EdgeId e, FacetId f) const {

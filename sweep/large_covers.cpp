@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/parallel.h"
 #include "sweep/cell_grid.h"
 #include "sweep/facet_outline.h"
 
@@ -26,19 +27,20 @@ class LargeCovers {
         behind_cell_(cells_.cell_count(), infinity),
         behind_tile_(tiles_.cell_count(), infinity) {}
 
-  // The nearest first, so that they hide what would cover less.
+  // The nearest first, so that they hide what would cover less. What is hidden by some stays hidden by all.
   std::vector<std::uint8_t> hidden() {
     std::vector<std::uint8_t> hidden(scene_.status.size(), 0);
     const std::vector<FacetId> large = large_facets();
     if (large.empty()) return hidden;
     for (const FacetId f : large) {
       const FacetOutline outline(scene_, f);
-      if (!is_hidden(f, outline)) cover(f, outline);
+      hidden[f.index()] = is_hidden(f, outline) ? 1 : 0;
+      if (hidden[f.index()] == 0) cover(f, outline);
     }
-    for (std::size_t f = 0; f < hidden.size(); ++f) {
-      if (scene_.status[f] != Status::in_view) continue;
+    parallel_for_each(hidden.size(), [&](std::size_t f) {
+      if (scene_.status[f] != Status::in_view || hidden[f] != 0) return;
       hidden[f] = is_hidden(FacetId(f), FacetOutline(scene_, FacetId(f))) ? 1 : 0;
-    }
+    });
     return hidden;
   }
 
@@ -95,14 +97,15 @@ class LargeCovers {
     behind_tile_[tiles_.cell(column, row)] = behind;
   }
 
-  // Whether all edges certainly pass the cell on the left of it as the facet turns: then the facet's rounded polygon
-  // covers it. The products are off by less than 2^-50 of their absolute values.
+  // Whether all edges inside the window certainly pass the cell on the left of it as the facet turns: then the facet's
+  // rounded polygon covers it. The products are off by less than 2^-50 of their absolute values.
   [[nodiscard]] bool covers(FacetId f, std::span<const ImagePoint> outline, const ImagePoint& centre) const {
     const double turn = scene_.facing[f.index()] == Facing::back ? -1 : 1;
     const double half = static_cast<double>(cells_.cell_size()) / 2;
     for (std::size_t i = 0; i < outline.size(); ++i) {
       const ImagePoint& a = outline[i];
       const ImagePoint& b = outline[i + 1 == outline.size() ? 0 : i + 1];
+      if (cells_.is_on_border(a, b)) continue;
       const auto dx = static_cast<double>(b.x - a.x);
       const auto dy = static_cast<double>(b.y - a.y);
       const double left = dx * static_cast<double>(centre.y - a.y);
