@@ -3,6 +3,7 @@
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
+#include <atomic>
 
 #include "geometry/clipping.h"
 #include "geometry/facet_plane.h"
@@ -16,7 +17,9 @@ namespace {
 std::vector<ProjectedVertex> project_vertices(const Mesh& mesh, const Camera& camera, const Precision& precision) {
   std::vector<ProjectedVertex> projected(mesh.vertices.size());
   std::vector<std::uint8_t> used(mesh.vertices.size(), 0);
-  for (const VertexId v : mesh.facets.corners) used[v.index()] = 1;
+  parallel_for_each(mesh.facets.corners.size(), [&](std::size_t corner) {
+    std::atomic_ref(used[mesh.facets.corners[corner].index()]).store(1, std::memory_order_relaxed);
+  });
   parallel_for_each(used.size(), [&](std::size_t v) {
     if (used[v] == 0) return;
     projected[v] = project_vertex(mesh, VertexId(v), camera, precision.grid_bits);
@@ -71,22 +74,33 @@ class SceneBuilder {
 
   ProjectedScene build() {
     find_statuses();
-    reserve_corners();
-    for (std::size_t f = 0; f < mesh_.facet_count(); ++f) add_facet(FacetId(f));
-    scene_.polygon_begin.push_back(static_cast<std::uint32_t>(scene_.polygon_corners.size()));
+    add_corners();
     number_points();
     collect_edges();
     return std::move(scene_);
   }
 
  private:
+  // Facets by ranges: each is worked on by one thread.
+  struct Clipped {
+    FacetId facet;
+    std::vector<ExactCorner> polygon;
+  };
+
   void find_statuses() {
     scene_.facing.resize(mesh_.facet_count());
     scene_.status.resize(mesh_.facet_count());
-    parallel_for_each(mesh_.facet_count(), [this](std::size_t f) {
-      scene_.facing[f] = facing_of(mesh_, scene_.camera, FacetId(f), scene_.arithmetic);
-      scene_.status[f] = status_of(FacetId(f));
+    scene_.polygon_begin.assign(mesh_.facet_count() + 1, 0);
+    clipped_.resize(range_count(mesh_.facet_count()));
+    parallel_for_ranges(mesh_.facet_count(), [this](std::size_t range, std::size_t begin, std::size_t end) {
+      for (std::size_t f = begin; f < end; ++f) {
+        scene_.facing[f] = facing_of(mesh_, scene_.camera, FacetId(f), scene_.arithmetic);
+        scene_.status[f] = status_of(FacetId(f));
+        if (scene_.status[f] == Status::in_view)
+          scene_.polygon_begin[f + 1] = count_corners(FacetId(f), clipped_[range]);
+      }
     });
+    for (std::size_t f = 0; f < mesh_.facet_count(); ++f) scene_.polygon_begin[f + 1] += scene_.polygon_begin[f];
   }
 
   // That of a facet that is in view may still change when it is clipped.
@@ -97,68 +111,71 @@ class SceneBuilder {
     return summarize(mesh_.corners(f), projected_).none_inside ? Status::out_of_view : Status::in_view;
   }
 
-  void reserve_corners() {
-    std::size_t corners = 0;
-    for (std::size_t f = 0; f < mesh_.facet_count(); ++f) {
-      if (scene_.status[f] == Status::in_view) corners += mesh_.corners(FacetId(f)).size();
-    }
-    scene_.polygon_begin.reserve(mesh_.facet_count() + 1);
-    scene_.polygon_corners.reserve(corners);
-    places_.reserve(corners / 4);
+  [[nodiscard]] std::uint32_t count_corners(FacetId f, std::vector<Clipped>& clipped) {
+    if (summarize(mesh_.corners(f), projected_).all_inside) return static_cast<std::uint32_t>(mesh_.corners(f).size());
+    clipped.push_back({f, clip(mesh_, scene_.camera, f)});
+    if (clipped.back().polygon.empty()) scene_.status[f.index()] = Status::out_of_view;
+    return static_cast<std::uint32_t>(clipped.back().polygon.size());
   }
 
-  void add_facet(FacetId f) {
-    scene_.polygon_begin.push_back(static_cast<std::uint32_t>(scene_.polygon_corners.size()));
-    if (scene_.status[f.index()] != Status::in_view) return;
-    if (summarize(mesh_.corners(f), projected_).all_inside) {
-      add_whole(f);
-    } else {
-      add_clipped(f);
+  void add_corners() {
+    scene_.polygon_corners.resize(scene_.polygon_begin.back());
+    std::vector<std::vector<Place>> cut_places(clipped_.size());
+    std::vector<std::uint8_t> in_view(mesh_.vertices.size(), 0);
+    parallel_for_ranges(mesh_.facet_count(), [&](std::size_t range, std::size_t begin, std::size_t end) {
+      auto clipped = clipped_[range].begin();
+      for (std::size_t f = begin; f < end; ++f) {
+        if (clipped != clipped_[range].end() && clipped->facet.index() == f) {
+          add_clipped(*clipped++, cut_places[range], in_view);
+        } else if (scene_.status[f] == Status::in_view) {
+          add_whole(FacetId(f), in_view);
+        }
+      }
+    });
+    for (std::size_t v = 0; v < in_view.size(); ++v) {
+      if (in_view[v] != 0) places_.push_back({projected_[v].image, static_cast<std::uint32_t>(v), true});
     }
+    for (const auto& places : cut_places) places_.insert(places_.end(), places.begin(), places.end());
   }
 
-  void add_whole(FacetId f) {
+  void add_whole(FacetId f, std::vector<std::uint8_t>& in_view) {
     const auto corners = mesh_.corners(f);
     const auto edges = mesh_.edges_of(f);
-    for (std::size_t i = 0; i < corners.size(); ++i) add_vertex_corner(corners[i], edges[i]);
+    const std::size_t first = scene_.polygon_begin[f.index()];
+    for (std::size_t i = 0; i < corners.size(); ++i) set_vertex_corner(first + i, corners[i], edges[i], in_view);
   }
 
-  void add_clipped(FacetId f) {
-    const auto polygon = clip(mesh_, scene_.camera, f);
-    if (polygon.empty()) scene_.status[f.index()] = Status::out_of_view;
-    for (const ExactCorner& corner : polygon) {
+  void add_clipped(const Clipped& clipped, std::vector<Place>& cut_places, std::vector<std::uint8_t>& in_view) {
+    std::size_t at = scene_.polygon_begin[clipped.facet.index()];
+    for (const ExactCorner& corner : clipped.polygon) {
       if (corner.vertex.valid()) {
-        add_vertex_corner(corner.vertex, corner.edge_after);
+        set_vertex_corner(at, corner.vertex, corner.edge_after, in_view);
       } else {
-        add_cut_corner(corner);
+        cut_places.push_back({round_to_grid(corner, scene_.grid_bits), static_cast<std::uint32_t>(at), false});
+        set_cut_corner(at, corner);
       }
+      ++at;
     }
   }
 
-  // The corner gets its point once all are known.
-  void add_vertex_corner(VertexId v, MeshEdgeId edge_after) {
-    const ProjectedVertex& vertex = projected_[v.index()];
-    scene_.polygon_corners.push_back({.point = {},
-                                      .position = mesh_.position(v),
-                                      .w = vertex.w,
-                                      .vertex = v,
-                                      .edge_after = edge_after,
-                                      .on_edge = {}});
-    PointId& point = point_of_vertex_[v.index()];
-    if (point.valid()) return;
-    point = PointId(0);
-    places_.push_back({vertex.image, v.value, true});
+  // A corner gets its point once all are known.
+  void set_vertex_corner(std::size_t at, VertexId v, MeshEdgeId edge_after, std::vector<std::uint8_t>& in_view) {
+    scene_.polygon_corners[at] = {.point = {},
+                                  .position = mesh_.position(v),
+                                  .w = projected_[v.index()].w,
+                                  .vertex = v,
+                                  .edge_after = edge_after,
+                                  .on_edge = {}};
+    std::atomic_ref(in_view[v.index()]).store(1, std::memory_order_relaxed);
   }
 
-  void add_cut_corner(const ExactCorner& corner) {
-    places_.push_back(
-        {round_to_grid(corner, scene_.grid_bits), static_cast<std::uint32_t>(scene_.polygon_corners.size()), false});
-    scene_.polygon_corners.push_back({.point = {},
-                                      .position = corner.position(),
-                                      .w = corner.weight(),
-                                      .vertex = {},
-                                      .edge_after = corner.edge_after,
-                                      .on_edge = corner.on_edge});
+  void set_cut_corner(std::size_t at, const ExactCorner& corner) {
+    scene_.polygon_corners[at] = {.point = {},
+                                  .position = corner.position(),
+                                  .w = corner.weight(),
+                                  .vertex = {},
+                                  .edge_after = corner.edge_after,
+                                  .on_edge = corner.on_edge};
   }
 
   // Places that fall on one grid point are one point from here on.
@@ -211,25 +228,41 @@ class SceneBuilder {
   void collect_edges() {
     std::vector<std::uint32_t> begin;
     std::vector<PlacedSide> sides = sides_by_top(begin);
-    scene_.sides.reserve(sides.size());
-    for (std::size_t p = 0; p + 1 < begin.size(); ++p) {
-      const auto of_top = std::span(sides).subspan(begin[p], begin[p + 1] - begin[p]);
-      std::ranges::stable_sort(of_top, {}, &PlacedSide::bottom);
-      for (const PlacedSide& side : of_top) add_side(side);
-    }
+    scene_.sides.resize(sides.size());
+    std::vector<std::vector<SceneEdge>> edges(range_count(scene_.points.size()));
+    parallel_for_ranges(scene_.points.size(), [&](std::size_t range, std::size_t first, std::size_t end) {
+      for (std::size_t p = first; p < end; ++p) {
+        const auto of_top = std::span(sides).subspan(begin[p], begin[p + 1] - begin[p]);
+        sort_by_bottom(of_top);
+        add_sides(of_top, begin[p], edges[range]);
+      }
+    });
+    for (const auto& part : edges) scene_.edges.insert(scene_.edges.end(), part.begin(), part.end());
     scene_.edges.push_back({PointId{}, PointId{}, static_cast<std::uint32_t>(scene_.sides.size())});
   }
 
-  void add_side(const PlacedSide& side) {
-    if (scene_.edges.empty() || scene_.edges.back().top != side.top || scene_.edges.back().bottom != side.bottom) {
-      scene_.edges.push_back({side.top, side.bottom, static_cast<std::uint32_t>(scene_.sides.size())});
+  // Those of one bottom stay in the order of facets. Few sides have one top, but for hubs.
+  static void sort_by_bottom(std::span<PlacedSide> sides) {
+    constexpr std::size_t few = 16;
+    if (sides.size() > few) std::ranges::stable_sort(sides, {}, &PlacedSide::bottom);
+    for (std::size_t i = 1; i < sides.size(); ++i) {
+      for (std::size_t k = i; k > 0 && sides[k].bottom < sides[k - 1].bottom; --k) std::swap(sides[k], sides[k - 1]);
     }
-    scene_.sides.push_back(side.side);
+  }
+
+  // first: the number of the first of these sides.
+  void add_sides(std::span<const PlacedSide> sides, std::size_t first, std::vector<SceneEdge>& edges) {
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+      if (i == 0 || sides[i - 1].bottom != sides[i].bottom)
+        edges.push_back({sides[i].top, sides[i].bottom, static_cast<std::uint32_t>(first + i)});
+      scene_.sides[first + i] = sides[i].side;
+    }
   }
 
   const Mesh& mesh_;
   std::vector<ProjectedVertex> projected_;
-  std::vector<PointId> point_of_vertex_;  // valid once a facet in view has the vertex
+  std::vector<PointId> point_of_vertex_;       // invalid where no facet in view has the vertex
+  std::vector<std::vector<Clipped>> clipped_;  // per range of facets, by facet
   std::vector<Place> places_;
   ProjectedScene scene_;
 };

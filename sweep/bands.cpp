@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "geometry/facet_plane.h"
+#include "geometry/parallel.h"
 
 namespace sightline {
 namespace {
@@ -67,14 +68,17 @@ class BandMaker {
       for (const FacetCell& cell : cells_.of(FacetId(f)))
         open_in_cell[cell.cell()] |= BandSet{1} << result_.band_of[f].value;
     }
-    for (std::size_t f = 0; f < mesh_.facet_count(); ++f) {
-      if (roles_[f] == Role::absent || roles_[f] == Role::hidden) continue;
-      BandSet bands = is_open(f) ? BandSet{1} << result_.band_of[f].value : 0;
-      for (const FacetCell& cell : cells_.of(FacetId(f))) bands |= open_in_cell[cell.cell()];
-      for (std::size_t band = 0; band < count_; ++band) {
-        if ((bands >> band & 1U) != 0) result_.swept[band].emplace_back(f);
+    std::vector<BandSet> bands_of(mesh_.facet_count(), 0);
+    parallel_for_each(bands_of.size(), [&](std::size_t f) {
+      if (roles_[f] == Role::absent || roles_[f] == Role::hidden) return;
+      if (is_open(f)) bands_of[f] = BandSet{1} << result_.band_of[f].value;
+      for (const FacetCell& cell : cells_.of(FacetId(f))) bands_of[f] |= open_in_cell[cell.cell()];
+    });
+    parallel_for_each(count_, 1, [&](std::size_t band) {
+      for (std::size_t f = 0; f < bands_of.size(); ++f) {
+        if ((bands_of[f] >> band & 1U) != 0) result_.swept[band].emplace_back(f);
       }
-    }
+    });
   }
 
   const Mesh& mesh_;

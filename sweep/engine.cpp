@@ -62,7 +62,7 @@ int level_for(const ProjectedScene& scene, const Continuation& continuation, con
 }
 
 // Not a matter of threads: the statistics count what is swept, and at the borders of bands some of it is swept twice.
-constexpr std::ptrdiff_t open_facets_in_a_band = 20000;
+constexpr std::ptrdiff_t open_facets_in_a_band = 10000;
 
 std::size_t bands_for(const std::vector<Role>& roles) {
   return 1 + static_cast<std::size_t>(std::ranges::count(roles, Role::open) / open_facets_in_a_band);

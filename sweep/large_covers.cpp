@@ -46,9 +46,13 @@ class LargeCovers {
 
  private:
   [[nodiscard]] std::vector<FacetId> large_facets() const {
+    std::vector<std::uint8_t> flags(scene_.status.size(), 0);
+    parallel_for_each(flags.size(), [&](std::size_t f) {
+      flags[f] = scene_.status[f] == Status::in_view && is_large(FacetId(f)) ? 1 : 0;
+    });
     std::vector<FacetId> large;
-    for (std::size_t f = 0; f < scene_.status.size(); ++f) {
-      if (scene_.status[f] == Status::in_view && is_large(FacetId(f))) large.emplace_back(f);
+    for (std::size_t f = 0; f < flags.size(); ++f) {
+      if (flags[f] != 0) large.emplace_back(f);
     }
     std::ranges::sort(large, {}, [this](FacetId f) { return std::pair(depths_[f.index()].farthest, f); });
     return large;

@@ -1,8 +1,10 @@
 #include "sweep/roles.h"
 
 #include <algorithm>
+#include <atomic>
 
 #include "geometry/facet_plane.h"
+#include "geometry/parallel.h"
 
 namespace sightline {
 namespace {
@@ -16,10 +18,10 @@ class RoleFinder {
   std::vector<Role> find() {
     const std::vector<std::uint8_t> clear = clear_cells();
     std::vector<Role> roles(mesh_.facet_count(), Role::absent);
-    for (std::size_t f = 0; f < roles.size(); ++f) {
-      if (scene_.status[f] != Status::in_view) continue;
+    parallel_for_each(roles.size(), [&](std::size_t f) {
+      if (scene_.status[f] != Status::in_view) return;
       roles[f] = is_hidden(FacetId(f)) ? Role::hidden : (is_plain(FacetId(f), clear) ? Role::plain : Role::open);
-    }
+    });
     return roles;
   }
 
@@ -29,14 +31,14 @@ class RoleFinder {
   // Cells with one sheet that no contour edge touches.
   [[nodiscard]] std::vector<std::uint8_t> clear_cells() const {
     std::vector<std::uint8_t> clear = covers_.one_sheet;
-    for (std::size_t e = 0; e < scene_.edge_count(); ++e) {
-      if (!is_contour(EdgeId(e))) continue;
+    parallel_for_each(scene_.edge_count(), [&](std::size_t e) {
+      if (!is_contour(EdgeId(e))) return;
       const SceneEdge& edge = scene_.edges[e];
       grid_.for_each_on_segment(scene_.point(edge.top), scene_.point(edge.bottom), [&](unsigned column, unsigned row) {
-        clear[grid_.cell(column, row)] = 0;
+        std::atomic_ref(clear[grid_.cell(column, row)]).store(0, std::memory_order_relaxed);
         return true;
       });
-    }
+    });
     return clear;
   }
 
