@@ -127,7 +127,7 @@ class CoverFinder {
     if (!find_cover()) return;
     const std::size_t cover_size = in_front_.size();
     find_others();
-    for (std::size_t i = 0; i < in_front_.size(); ++i) bring_forward(in_front_[i]);
+    for (std::size_t i = 0; i < in_front_.size();) bring_forward(in_front_[i++]);
     for (const FacetId f : behind_) ++hidden_cells_[f.index()];
     one_sheet_[cell_] = in_front_.size() == cover_size ? 1 : 0;
   }
@@ -162,8 +162,8 @@ class CoverFinder {
     cover_farthest_ = -std::numeric_limits<double>::infinity();
     in_front_.clear();
     add_to_cover(first);
-    for (std::size_t i = 0; i < in_front_.size(); ++i) {
-      const FacetId f = in_front_[i];
+    for (std::size_t i = 0; i < in_front_.size();) {
+      const FacetId f = in_front_[i++];
       for (const EdgeId e : continuation_.edges_of(scene_, f)) {
         if (e.valid() && misses_cell(e)) continue;
         if (!e.valid() || continuation_.is_contour(e)) return false;
