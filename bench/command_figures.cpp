@@ -67,9 +67,11 @@ std::vector<double> run_writing(const Mesh& mesh, const std::filesystem::path& f
   const View view = analyze(mesh, overview(), Sides::front);
   const double visibility = of_view.seconds();
   const ProcessorTime of_writing;
-  ResultFolders results(folder);
-  write_view_files(results, mesh, view, {}, measure_faces(mesh, view), window_points(view));
-  results.publish();
+  {
+    ResultFolders results(folder);
+    write_view_files(results, mesh, view, {}, measure_faces(mesh, view), window_points(view));
+    results.publish();
+  }
   const double writing = of_writing.seconds();
   return {visibility, writing, static_cast<double>(bytes_in(folder)) / 1e6};
 }

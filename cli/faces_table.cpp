@@ -5,7 +5,8 @@
 namespace sightline {
 
 std::string faces_table(const std::vector<FaceMeasures>& faces, const std::vector<std::string>& panels) {
-  TextBuffer out;
+  constexpr std::size_t usual_length = 100;
+  TextBuffer out(faces.size() * usual_length);
   out << "face,facing,area,in_view_area,visible_area,image_area,visible_image_area";
   for (const std::string& panel : panels) out << ",reflecting_area:" << panel;
   out << '\n';

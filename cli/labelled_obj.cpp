@@ -39,7 +39,9 @@ std::set<std::uint64_t> reflecting_of(const LabelledMesh& labelled, Label label)
 }  // namespace
 
 std::string labelled_obj(const LabelledMesh& labelled, const std::vector<std::string>& panels) {
-  TextBuffer out;
+  constexpr std::size_t length_of_vertex = 36;
+  constexpr std::size_t length_of_triangle = 23;
+  TextBuffer out(labelled.vertices.size() * length_of_vertex + labelled.triangles.size() * length_of_triangle);
   out << "# sightline: the refined surface, one group per label\n";
   for (const Point3& p : labelled.vertices) out << "v " << p.x << ' ' << p.y << ' ' << p.z << '\n';
   for (const Label label : {Label::back_facing, Label::out_of_view, Label::hidden, Label::visible}) {

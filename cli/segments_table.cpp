@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "cli/place_texts.h"
 #include "cli/text_buffer.h"
 
 namespace sightline {
@@ -43,13 +44,13 @@ void write_edge(const Mesh& mesh, MeshEdgeId edge, TextBuffer& out) {
 }  // namespace
 
 std::string segments_table(const Mesh& mesh, const View& view, const std::vector<Point2>& places) {
-  TextBuffer out;
+  constexpr std::size_t usual_length = 110;
+  TextBuffer out(view.segments.segments.size() * usual_length);
+  const PlaceTexts texts(places);
   out << "face,start_x,start_y,end_x,end_y,edge,other_face\n";
   for (const VisibleSegment& segment : view.segments.segments) {
-    const Point2& start = places[segment.start.index()];
-    const Point2& end = places[segment.end.index()];
-    out << face_of(mesh, segment.facet).value << ',' << start.x << ',' << start.y << ',' << end.x << ',' << end.y
-        << ',';
+    out << face_of(mesh, segment.facet).value << ',' << texts.x(segment.start) << ',' << texts.y(segment.start) << ','
+        << texts.x(segment.end) << ',' << texts.y(segment.end) << ',';
     write_edge(mesh, edge_under(mesh, view.scene, segment), out);
     out << ',';
     if (segment.other.valid()) out << face_of(mesh, segment.other).value;

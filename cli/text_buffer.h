@@ -12,6 +12,10 @@ namespace sightline {
 
 class TextBuffer {
  public:
+  // expected: so many characters are written about. A guess that is too low costs time, one that is too high nothing but
+  // addresses.
+  explicit TextBuffer(std::size_t expected = 0) { text_.reserve(expected); }
+
   TextBuffer& operator<<(std::string_view text) {
     text_.append(text);
     return *this;
@@ -25,6 +29,7 @@ class TextBuffer {
   // The shortest text that reads back as the same double: at most 17 significant digits.
   TextBuffer& operator<<(double value) { return append(value); }
 
+  [[nodiscard]] std::size_t size() const { return text_.size(); }
   [[nodiscard]] std::string take() { return std::move(text_); }
 
  private:

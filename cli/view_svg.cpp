@@ -8,6 +8,7 @@
 
 #include "cli/face_shade.h"
 #include "cli/html_text.h"
+#include "cli/place_texts.h"
 #include "cli/text_buffer.h"
 #include "cli/window_points.h"
 
@@ -42,12 +43,12 @@ void write_colour(const Colour& colour, TextBuffer& out) {
 }
 
 void write_rings(const VisibleSegments& segments, const VisiblePolygons& polygons, const VisiblePolygon& polygon,
-                 const std::vector<Point2>& places, TextBuffer& out) {
+                 const PlaceTexts& places, TextBuffer& out) {
   for (std::size_t r = 0; r < polygon.ring_count; ++r) {
     char command = 'M';
     for (const SegmentId segment : polygons.ring(polygon.first_ring + r)) {
-      const Point2& place = places[segments.segments[segment.index()].start.index()];
-      out << command << place.x << ' ' << place.y;
+      const PointId start = segments.segments[segment.index()].start;
+      out << command << places.x(start) << ' ' << places.y(start);
       command = 'L';
     }
     out << 'Z';
@@ -61,7 +62,7 @@ void write_names(FaceId face, std::size_t occurrence, Facing facing, TextBuffer&
 }
 
 void write_polygon(const Mesh& mesh, const View& view, const VisiblePolygon& polygon, std::size_t occurrence,
-                   const std::vector<Point2>& places, TextBuffer& out) {
+                   const PlaceTexts& places, TextBuffer& out) {
   const Facing facing = view.scene.facing[polygon.facet.index()];
   const FaceShade shade = face_shade(mesh, view.scene.camera, polygon.facet, facing);
   write_names(polygon.face, occurrence, facing, out);
@@ -98,8 +99,8 @@ void write_reflecting_name(const std::string& panel, FaceId face, std::size_t oc
   out << "\" data-face=\"" << face.value << "\" d=\"";
 }
 
-void write_reflecting_polygons(const PanelReflection& reflection, const std::string& panel,
-                               const std::vector<Point2>& places, TextBuffer& out) {
+void write_reflecting_polygons(const PanelReflection& reflection, const std::string& panel, const PlaceTexts& places,
+                               TextBuffer& out) {
   for_each_polygon(reflection.polygons, [&](const VisiblePolygon& polygon, std::size_t occurrence) {
     write_reflecting_name(panel, polygon.face, occurrence, out);
     write_rings(reflection.segments, reflection.polygons, polygon, places, out);
@@ -125,7 +126,7 @@ void write_reflecting_triangles(const View& view, std::size_t number, const std:
   }
 }
 
-void write_panel(const View& view, const std::string& name, std::size_t number, const std::vector<Point2>& places,
+void write_panel(const View& view, const std::string& name, std::size_t number, const PlaceTexts& places,
                  TextBuffer& out) {
   const std::string_view colour = panel_colours[number % panel_colours.size()];
   const std::string panel = html_text(name);
@@ -142,12 +143,14 @@ void write_panel(const View& view, const std::string& name, std::size_t number, 
 
 std::string view_svg(const Mesh& mesh, const View& view, const std::vector<Point2>& places,
                      const std::vector<std::string>& panels) {
-  TextBuffer out;
+  constexpr std::size_t usual_length = 210;
+  TextBuffer out(view.polygons.polygons.size() * usual_length);
+  const PlaceTexts texts(places);
   out << header(view.scene.camera, view.polygons.polygons.size());
   for_each_polygon(view.polygons, [&](const VisiblePolygon& polygon, std::size_t occurrence) {
-    write_polygon(mesh, view, polygon, occurrence, places, out);
+    write_polygon(mesh, view, polygon, occurrence, texts, out);
   });
-  for (std::size_t p = 0; p < panels.size(); ++p) write_panel(view, panels[p], p, places, out);
+  for (std::size_t p = 0; p < panels.size(); ++p) write_panel(view, panels[p], p, texts, out);
   out << "</g>\n</svg>\n";
   return out.take();
 }

@@ -8,6 +8,7 @@
 #include "tests/oracle/crossing_scenes.h"
 #include "tests/oracle/judge.h"
 #include "tests/oracle/random_scenes.h"
+#include "tests/polygon_mesh.h"
 #include "tests/random_surfaces.h"
 
 namespace sightline::oracle {
@@ -71,6 +72,66 @@ TEST_CASE("engines: random surfaces") {
   }
   MESSAGE(tally.swept << " of " << tally.points << " sweep points swept");
   CHECK(5 * tally.swept < 4 * tally.points);
+}
+
+// A band across two walls is cut along common lines; one of its pieces is hidden, and what is seen of another ends on its edge.
+TEST_CASE("engines: an edge is split for a hidden piece of a face, too") {
+  const Mesh mesh = cut(testing::mesh_of({{{0, 5, -1}, {-2, 5, -3}, {-3, 3, 6}},
+                                          {{4, 3, 16}, {20, 3, -4}, {-6, 6, -14}, {-22, 6, 6}},
+                                          {{4, 3, 18}, {-18, 3, 10}, {-6, 6, -16}, {16, 6, -8}},
+                                          {{4, 6, 18}, {-18, 6, 10}, {-6, 3, -16}, {16, 3, -8}},
+                                          {{-7, 3, 2}, {-2, 3, -3}, {-3, 6, 6}}}));
+  ViewPoint view;
+  view.eye = {-2, -10, 1};
+  view.target = {-2, 3, 1};
+  view.up = {0, 0, -1};
+  EngineTally tally;
+  for (const double height : {16, 4096}) {
+    const ProjectedScene scene = project(mesh, orthographic_camera("along y", view, height), Sides::both);
+    CHECK(engine_differences(mesh, scene, {{0, 1}, {1, 7}, {9, 1}, {10, 1}, {11, 1}}, tally) == "");
+  }
+}
+
+// A hook whose long end is hidden: first by a face that the end that is seen comes near, then by one that it does not.
+TEST_CASE("engines: a face whose hidden end is covered far from the end that is seen") {
+  const Mesh mesh = testing::mesh_of({{{-6, -3, 0},
+                                       {0.5, -3.2, 0},
+                                       {8, -3, 0},
+                                       {8, -2, 0},
+                                       {0.5, -2.2, 0},
+                                       {-5, -2, 0},
+                                       {-5, 6, 0},
+                                       {4, 6, 0},
+                                       {4, 7, 0},
+                                       {-6, 7, 0}},
+                                      {{-9, -6, 2}, {2, -6, 2}, {2, 0, 2}, {-9, 0, 2}},
+                                      {{-1, -6, 3}, {9.5, -6, 3}, {9.5, 0, 3}, {-1, 0, 3}}});
+  ViewPoint view;
+  view.eye = {0, 0, 9};
+  view.target = {0, 0, 0};
+  const ProjectedScene scene = project(mesh, orthographic_camera("above", view, 20), Sides::both);
+  EngineTally tally;
+  CHECK(engine_differences(mesh, scene, {{3, 1}, {5, 7}, {6, 64}}, tally) == "");
+}
+
+TEST_CASE("engines: in the middle of a sheet of squares, three of them are one face") {
+  std::vector<testing::Corners> faces{
+      {{7, 7, 0}, {8, 7, 0}, {9, 7, 0}, {9, 8, 0}, {8, 8, 0}, {8, 9, 0}, {7, 9, 0}, {7, 8, 0}}};
+  for (int i = 0; i < 16 * 16; ++i) {
+    const double x = i % 16;
+    const double y = i / 16;
+    if ((y == 7 && (x == 7 || x == 8)) || (y == 8 && x == 7)) continue;
+    faces.push_back({{x, y, 0}, {x + 1, y, 0}, {x + 1, y + 1, 0}, {x, y + 1, 0}});
+  }
+  const Mesh mesh = testing::mesh_of(faces);
+  REQUIRE(mesh.facet_count() > mesh.face_count());
+  ViewPoint view;
+  view.eye = {8, 8, 9};
+  view.target = {8, 8, 0};
+  const ProjectedScene scene = project(mesh, orthographic_camera("above", view, 20), Sides::both);
+  EngineTally tally;
+  CHECK(engine_differences(mesh, scene, {{4, 1}, {5, 1}, {6, 7}}, tally) == "");
+  CHECK(tally.swept < tally.points);
 }
 
 // Where facets pass through each other, the sweep may call the wrong one topmost; both engines call the same.

@@ -187,31 +187,35 @@ TEST_CASE("node lists: the same contents and the same topmost facet whatever the
 }
 
 TEST_CASE("node lists: of bars that overlap in a ring the lowest is topmost, and of two of them the nearer one") {
-  // Each bar rises along a side of a triangle and lies on the next one's lower end.
+  // Each bar rises along a side of a triangle and lies on the next one's lower end; the last one rises most.
   const std::array<Point3, 3> ring{Point3{4, 0, 0}, Point3{-2, 3, 0}, Point3{-2, -3, 0}};
-  std::vector<testing::Corners> bars;
+  // Under them lies a plate.
+  std::vector<testing::Corners> bars{{{-10, -10, -2}, {10, -10, -2}, {0, 12, -2}}};
   for (std::size_t i = 0; i < 3; ++i) {
     const Vector3 along = ring[(i + 1) % 3] - ring[i];
     const Vector3 across{-0.03 * along.y, 0.03 * along.x, 0};
     const Point3 low = ring[i] - 0.25 * along - Vector3{0, 0, 0.25};
-    const Point3 high = ring[i] + 1.25 * along + Vector3{0, 0, 1.25};
+    const double rise = 1.25 + 0.05 * static_cast<double>(i);
+    const Point3 high = ring[i] + rise * along + Vector3{0, 0, rise};
     bars.push_back({low, high - across, high + across});
   }
   const Mesh mesh = testing::mesh_of(bars);
   const Camera camera = orthographic_camera("above", {{0, 0, 10}, {0, 0, 0}, {0, 1, 0}, 1, {}, {}}, 16);
   const ProjectedScene scene = project(mesh, camera, Sides::both);
-  DepthOrder depth(mesh, scene);
-  for (std::size_t i = 0; i < 3; ++i) REQUIRE(depth.nearer(FacetId(i), FacetId((i + 1) % 3)));
-
   const auto side = [](std::size_t f, int winding) { return EdgeSide{FacetId(f), winding, MeshEdgeId{}}; };
-  for (std::size_t first = 0; first < 3; ++first) {
-    CAPTURE(first);
-    NodeList list;
-    for (std::size_t i = 0; i < 3; ++i) list.cross(std::array{side((first + i) % 3, 1)}, depth);
-    CHECK(list.topmost() == FacetId(0));
-    CHECK_FALSE(list.is_topmost_nearest());
-    list.cross(std::array{side(first, -1)}, depth);
-    CHECK(list.topmost() == FacetId((first + 1) % 3));
-    CHECK(list.is_topmost_nearest());
+  for (const std::vector<DepthRange>& ranges : {std::vector<DepthRange>{}, depth_ranges(scene)}) {
+    DepthOrder depth(mesh, scene, ranges);
+    for (std::size_t i = 0; i < 3; ++i) REQUIRE(depth.nearer(FacetId(1 + i), FacetId(1 + (i + 1) % 3)));
+    for (std::size_t first = 0; first < 3; ++first) {
+      CAPTURE(first);
+      NodeList list;
+      list.cross(std::array{side(0, 1)}, depth);
+      for (std::size_t i = 0; i < 3; ++i) list.cross(std::array{side(1 + (first + i) % 3, 1)}, depth);
+      CHECK(list.topmost() == FacetId(1));
+      CHECK_FALSE(list.is_topmost_nearest());
+      list.cross(std::array{side(1 + first, -1)}, depth);
+      CHECK(list.topmost() == FacetId(1 + (first + 1) % 3));
+      CHECK(list.is_topmost_nearest());
+    }
   }
 }
