@@ -52,7 +52,7 @@ std::vector<FacetId> in_range(std::span<const Node> nodes, const DepthOrder& dep
 }
 
 // Whoever is nearer than most others is in the top cycle, and so is whoever is nearer than one in it.
-FacetId lowest_of_top_cycle(const std::vector<FacetId>& facets, DepthOrder& depth) {
+std::vector<FacetId> top_cycle_of(const std::vector<FacetId>& facets, DepthOrder& depth) {
   const auto is_nearer = [&](FacetId f, FacetId g) { return f != g && depth.nearer(f, g); };
   const auto count_behind = [&](FacetId f) {
     return std::count_if(facets.begin(), facets.end(), [&](FacetId g) { return is_nearer(f, g); });
@@ -66,7 +66,7 @@ FacetId lowest_of_top_cycle(const std::vector<FacetId>& facets, DepthOrder& dept
     }
     std::erase_if(others, [&](FacetId f) { return std::ranges::find(cycle, f) != cycle.end(); });
   }
-  return *std::ranges::min_element(cycle);
+  return cycle;
 }
 
 }  // namespace
@@ -110,7 +110,13 @@ void NodeList::find_topmost(DepthOrder& depth) {
     if (depth.nearer(nodes_[i].facet, nodes_[best].facet)) best = i;
   }
   is_topmost_nearest_ = is_nearest(best, depth);
-  topmost_ = is_topmost_nearest_ ? nodes_[best].facet : lowest_of_top_cycle(in_range(nodes(), depth), depth);
+  topmost_ = nodes_[best].facet;
+  if (!is_topmost_nearest_) topmost_ = std::ranges::min(top_cycle(depth));
+}
+
+std::vector<FacetId> NodeList::top_cycle(DepthOrder& depth) const {
+  if (is_topmost_nearest_) return {topmost_};
+  return top_cycle_of(in_range(nodes(), depth), depth);
 }
 
 // Those after it have met it.

@@ -14,6 +14,7 @@
 
 #include <boost/container/small_vector.hpp>
 #include <span>
+#include <vector>
 
 #include "geometry/ids.h"
 #include "geometry/projected_scene.h"
@@ -32,6 +33,8 @@ class NodeList {
   [[nodiscard]] FacetId topmost() const { return topmost_; }
   [[nodiscard]] bool is_topmost_nearest() const { return is_topmost_nearest_; }
   [[nodiscard]] std::span<const Node> nodes() const { return {nodes_.data(), nodes_.size()}; }
+  // Of those in range; the topmost facet alone where it is nearer than all others.
+  [[nodiscard]] std::vector<FacetId> top_cycle(DepthOrder& depth) const;
 
   // Crosses edges with these sides, all of one bundle, from left to right. O(d + s log s) for d facets in the list and s
   // sides, and one comparison of depths for each facet that enters. Where the topmost facet changes, also two for each

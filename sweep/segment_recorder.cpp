@@ -9,7 +9,7 @@
 namespace sightline {
 
 void SegmentRecorder::at(const NamedPoint& point, std::span<const AboveSegment> above, std::span<const BundleId> below,
-                         FacetId left, ActiveEdgeList& active) {
+                         const NodeList& left, ActiveEdgeList& active) {
   ending_.clear();
   end_point_surfaces_.clear();
   look_below(below, left, active);
@@ -20,39 +20,60 @@ void SegmentRecorder::at(const NamedPoint& point, std::span<const AboveSegment> 
     end_kept_at_end_points(below, active);
     name(point, below, active);
     emit(below, active);
-    if (above.empty() && left.valid()) add_thread(left, below.front(), active);
+    if (above.empty() && left.topmost().valid()) add_thread(left.topmost(), below.front(), active);
   }
   for (const BundleId b : below) active.visibility_changed(b);
 }
 
 // What each bundle below should show; no segment yet.
-void SegmentRecorder::look_below(std::span<const BundleId> below, FacetId left, ActiveEdgeList& active) const {
+void SegmentRecorder::look_below(std::span<const BundleId> below, const NodeList& left, ActiveEdgeList& active) const {
+  const NodeList* before = &left;
   for (const BundleId b : below) {
     Bundle& bundle = active[b];
-    const FacetId right = bundle.right.topmost();
     bundle.left_segment = {};
     bundle.right_segment = {};
-    if (surface_of(mesh_, left) != surface_of(mesh_, right)) {
-      bundle.left_segment = wanted(bundle.edge_span(), left, right);
-      bundle.right_segment = wanted(bundle.edge_span(), right, left);
+    if (surface_of(mesh_, before->topmost()) != surface_of(mesh_, bundle.right.topmost())) {
+      bundle.left_segment = wanted(bundle.edge_span(), *before, bundle.right);
+      bundle.right_segment = wanted(bundle.edge_span(), bundle.right, *before);
     }
-    left = right;
+    before = &bundle.right;
   }
 }
 
-OpenSegment SegmentRecorder::wanted(std::span<const EdgeId> edges, FacetId facet, FacetId other) const {
-  if (!facet.valid()) return {};
-  return {SegmentId{}, carrier(edges, facet, other), facet, other};
+OpenSegment SegmentRecorder::wanted(std::span<const EdgeId> edges, const NodeList& own, const NodeList& other) const {
+  if (!own.topmost().valid()) return {};
+  return {SegmentId{}, carrier(edges, own, other), own.topmost(), other.topmost()};
 }
 
-// The first edge that belongs to the facet, or else to the other one, or else (where depths are not transitive) of all:
-// a choice that does not depend on how faces are numbered.
-EdgeId SegmentRecorder::carrier(std::span<const EdgeId> edges, FacetId facet, FacetId other) const {
-  for (const FacetId side : {facet, other}) {
+// The first edge that belongs to the facet, or else to the other one: a choice that does not depend on how faces are
+// numbered.
+EdgeId SegmentRecorder::carrier(std::span<const EdgeId> edges, const NodeList& own, const NodeList& other) const {
+  for (const FacetId side : {own.topmost(), other.topmost()}) {
     const auto found = std::find_if(edges.begin(), edges.end(), [&](EdgeId e) { return carries(e, side); });
     if (found != edges.end()) return *found;
   }
-  return edges.front();
+  return carrier_of_cycle(edges, own, other);
+}
+
+// Where depths are no order, a facet that is not topmost itself may decide who is: one in a top cycle, or one that puts
+// another of a top cycle out of range. If there were none, both lists had one top cycle. Facets that do neither may be
+// hidden, and their edges missing (covers.h).
+EdgeId SegmentRecorder::carrier_of_cycle(std::span<const EdgeId> edges, const NodeList& own,
+                                         const NodeList& other) const {
+  std::vector<FacetId> cycles = own.top_cycle(depth_);
+  const std::vector<FacetId> of_other = other.top_cycle(depth_);
+  cycles.insert(cycles.end(), of_other.begin(), of_other.end());
+  const auto decides = [&](const EdgeSide& side) {
+    return std::ranges::any_of(cycles, [&](FacetId f) {
+      return f == side.facet || (f.valid() && depth_.range(side.facet).farthest < depth_.range(f).nearest);
+    });
+  };
+  const auto found =
+      std::ranges::find_if(edges, [&](EdgeId e) { return std::ranges::any_of(scene_.sides_of(e), decides); });
+  if (found == edges.end())
+    throw InternalError("what is seen changes along edge " + std::to_string(edges.front().value) +
+                        ", and no facet on it decides that");
+  return *found;
 }
 
 bool SegmentRecorder::carries(EdgeId edge, FacetId facet) const {

@@ -34,18 +34,20 @@ struct NamedPoint {
 
 class SegmentRecorder {
  public:
-  SegmentRecorder(const Mesh& mesh, const ProjectedScene& scene, VisibleSegments& result)
-      : mesh_(mesh), scene_(scene), result_(result) {}
+  SegmentRecorder(const Mesh& mesh, const ProjectedScene& scene, DepthOrder& depth, VisibleSegments& result)
+      : mesh_(mesh), scene_(scene), depth_(depth), result_(result) {}
 
   // below: the bundles below the point, left to right; they are in the active edge list with their edges and node
-  // lists, and get their open segments here. left: the topmost facet left of the point.
-  void at(const NamedPoint& point, std::span<const AboveSegment> above, std::span<const BundleId> below, FacetId left,
-          ActiveEdgeList& active);
+  // lists, and get their open segments here. left: what is over the span left of the point.
+  void at(const NamedPoint& point, std::span<const AboveSegment> above, std::span<const BundleId> below,
+          const NodeList& left, ActiveEdgeList& active);
 
  private:
-  void look_below(std::span<const BundleId> below, FacetId left, ActiveEdgeList& active) const;
-  [[nodiscard]] OpenSegment wanted(std::span<const EdgeId> edges, FacetId facet, FacetId other) const;
-  [[nodiscard]] EdgeId carrier(std::span<const EdgeId> edges, FacetId facet, FacetId other) const;
+  void look_below(std::span<const BundleId> below, const NodeList& left, ActiveEdgeList& active) const;
+  [[nodiscard]] OpenSegment wanted(std::span<const EdgeId> edges, const NodeList& own, const NodeList& other) const;
+  [[nodiscard]] EdgeId carrier(std::span<const EdgeId> edges, const NodeList& own, const NodeList& other) const;
+  [[nodiscard]] EdgeId carrier_of_cycle(std::span<const EdgeId> edges, const NodeList& own,
+                                        const NodeList& other) const;
   [[nodiscard]] bool carries(EdgeId edge, FacetId facet) const;
   void keep_or_end(std::span<const AboveSegment> above, ActiveEdgeList& active);
   [[nodiscard]] bool continues(const AboveSegment& above, const OpenSegment& below,
@@ -63,6 +65,7 @@ class SegmentRecorder {
 
   const Mesh& mesh_;
   const ProjectedScene& scene_;
+  DepthOrder& depth_;
   VisibleSegments& result_;
 
   // Of the current sweep point:

@@ -27,7 +27,7 @@ class Sweep : private SweepState {
         active_(scene.edge_count()),
         ranges_(Decisions::is_exact ? depth_ranges(scene) : std::vector<DepthRange>{}),
         depth_(mesh, scene, ranges_),
-        recorder_(mesh, scene, result_) {}
+        recorder_(mesh, scene, depth_, result_) {}
 
   VisibleSegments run() {
     while (queue_.next(point_)) {
@@ -35,7 +35,7 @@ class Sweep : private SweepState {
       arrange_below();
       replace_in_active_list();
       update_node_lists();
-      recorder_.at(name_of_point(), above_segments_, below_, left_topmost_, active_);
+      recorder_.at(name_of_point(), above_segments_, below_, left_list(), active_);
       queue_crossings();
       count();
       if (observer_ != nullptr) notify();
@@ -160,8 +160,7 @@ class Sweep : private SweepState {
   // Right of a bundle = left of it, minus the facets that leave, plus those that enter. The last span is the one that
   // was there before.
   void update_node_lists() {
-    NodeList list = left_neighbour_.valid() ? active_[left_neighbour_].right : NodeList{};
-    left_topmost_ = list.topmost();
+    NodeList list = left_list();
     if (above_.empty()) old_right_list_ = list;
     for (const BundleId b : below_) {
       for (const EdgeId e : active_[b].edges)
@@ -176,6 +175,11 @@ class Sweep : private SweepState {
           "the node list right of the last bundle is not empty");
     check(list.topmost() == old_right_list_.topmost(), "equal node lists have different topmost facets");
     if (!below_.empty()) active_[below_.back()].right = std::move(old_right_list_);
+  }
+
+  // Over the span left of the point.
+  [[nodiscard]] const NodeList& left_list() const {
+    return left_neighbour_.valid() ? active_[left_neighbour_].right : nothing_;
   }
 
   void note_order(const NodeList& list) {
@@ -292,7 +296,7 @@ class Sweep : private SweepState {
   std::vector<AboveSegment> above_segments_;
   std::vector<EdgeId> edges_below_;
   std::vector<EdgeSide> sides_;
-  FacetId left_topmost_;
+  const NodeList nothing_;
   NodeList old_right_list_;
 };
 
