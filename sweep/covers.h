@@ -2,14 +2,15 @@
 //
 // In:  a mesh, its projected scene with depth ranges, where the surface continues, the facets that are known to be hidden, a
 //      grid of cells and the cells of the other facets.
-// Out: per facet whether it is certainly hidden; not all hidden facets are found. Per cell whether it has one sheet: where
-//      no contour edge of a facet that is not hidden touches the cell, those that do all continue each other, and are seen.
+// Out: per facet whether it is certainly hidden; not all hidden facets are found. Per cell whether it has one sheet: if no
+//      contour edge of what may be seen touches such a cell, then the facets that touch it and may be seen all continue each
+//      other, and all that is of them in the cell is seen.
 // A cover of a cell is a set of facets that continue each other and cover the cell without a contour edge in it. In front in
 // the cell are the cover's facets, and whatever is neither deeper than all of the cover nor behind everything in front that
 // it overlaps. A surface is hidden where none of its facets is in front in any cell.
 // Holds: leaving the hidden facets out changes no topmost facet (node_list.h), whatever the order of depth says. At a
-//      place in a cell let A be the facets over it, and R those of A that are in range: none of A is less deep than all of
-//      them. Leave out D, what is deeper than all of the cover, and B, what is behind all in front. A cover's facet is over
+//      place in a cell let A be the facets over it, and R those of A that are in range: none of A ends before they begin.
+//      Leave out D, what is deeper than all of the cover, and B, what is behind all in front. A cover's facet is over
 //      the place and less deep than D, so D has nothing in R, and R is the same without it. What is in front and in A is
 //      nearer than each of B: none of B is in the top cycle of R. For that it takes a facet in front that is in R: the one
 //      that ends the least deep is, or else it is in B, and the cover's facet there is nearer than it and so in R, too.
