@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <tuple>
 
-#include "geometry/errors.h"
 #include "sweep/crossing_point.h"
 #include "sweep/image_decisions.h"
 

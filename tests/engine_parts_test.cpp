@@ -6,8 +6,6 @@
 #include <random>
 #include <set>
 
-#include "geometry/common_lines.h"
-#include "geometry/interpenetration.h"
 #include "sweep/covers.h"
 #include "sweep/depth_ranges.h"
 #include "sweep/engine.h"
@@ -37,9 +35,7 @@ Mesh mesh_of(std::vector<Point3> vertices, const Faces& faces) {
     for (const std::uint32_t corner : face) corners.emplace_back(corner);
     list.push_back(corners);
   }
-  Mesh mesh = build_mesh(std::move(vertices), std::move(list));
-  const MeshContacts contacts = find_contacts(mesh);
-  return cut_along_common_lines(std::move(mesh), contacts);
+  return build_mesh(std::move(vertices), std::move(list));
 }
 
 Mesh sheets(const std::vector<Sheet>& all) {
@@ -69,6 +65,27 @@ ProjectedScene seen_from_above(const Mesh& mesh, int grid_bits = default_grid_bi
   view.target = {0, 0, 0};
   return project(mesh, orthographic_camera("above", view, 2), Sides::both, {Arithmetic::exact, grid_bits});
 }
+
+// What the fast engine finds before it sweeps, in 32 x 32 cells.
+struct Found {
+  Continuation continuation;
+  CellGrid grid;
+  FacetCells cells;
+  Covers covers;
+
+  Found(const Mesh& mesh, const ProjectedScene& scene)
+      : continuation(scene),
+        grid(scene.grid_bits, 5),
+        cells(scene, continuation, grid, none(mesh)),
+        covers(find_covers(mesh, scene, depth_ranges(scene), continuation, grid, cells, none(mesh))) {}
+
+  [[nodiscard]] std::vector<Role> roles(const Mesh& mesh, const ProjectedScene& scene) const {
+    return find_roles(mesh, scene, continuation, covers, grid, cells);
+  }
+
+ private:
+  static std::vector<std::uint8_t> none(const Mesh& mesh) { return std::vector<std::uint8_t>(mesh.facet_count(), 0); }
+};
 
 std::size_t count_of(const std::vector<std::uint8_t>& flags) {
   return static_cast<std::size_t>(std::ranges::count(flags, 1));
@@ -179,11 +196,7 @@ TEST_CASE("large covers: what lies behind one large facet is hidden, what looks 
 TEST_CASE("covers: sheets behind a sheet are hidden, whatever their borders are, and what looks out is not") {
   const Mesh mesh = sheets({{1, 0.8137, 16}, {2, 0.4871, 7}, {3, 0.9, 9}});
   const ProjectedScene scene = seen_from_above(mesh);
-  const CellGrid grid(scene.grid_bits, 5);
-  const std::vector<std::uint8_t> none(mesh.facet_count(), 0);
-  const Continuation continuation(scene);
-  const FacetCells cells(scene, continuation, grid, none);
-  const auto hidden = find_covers(mesh, scene, depth_ranges(scene), continuation, grid, cells, none).hidden;
+  const std::vector<std::uint8_t> hidden = Found(mesh, scene).covers.hidden;
   const VisibleSegments full = sweep(mesh, scene);
   for (const VisibleSegment& s : full.segments) CHECK(hidden[s.facet.index()] == 0);
   CHECK(count_of({hidden.begin(), hidden.begin() + 512}) == 0);
@@ -191,20 +204,14 @@ TEST_CASE("covers: sheets behind a sheet are hidden, whatever their borders are,
   CHECK(count_of({hidden.begin() + 610, hidden.end()}) > 0);
 }
 
-// Tilted against each other, sheets have no common depth between them, but an order over every cell's centre.
+// Tilted, sheets have no depth between them, but their facets have an order.
 TEST_CASE("covers: sheets without a depth between them hide by their order") {
   const Mesh level = sheets({{1, 0.9137, 16}, {1.01, 0.8871, 15}});
   std::vector<Point3> vertices = level.vertices;
   for (Point3& p : vertices) p.z += p.x;
-  Mesh tilted = build_mesh(std::move(vertices), level.faces);
-  const MeshContacts contacts = find_contacts(tilted);
-  tilted = cut_along_common_lines(std::move(tilted), contacts);
+  const Mesh tilted = build_mesh(std::move(vertices), level.faces);
   const ProjectedScene scene = seen_from_above(tilted);
-  const CellGrid grid(scene.grid_bits, 5);
-  const std::vector<std::uint8_t> none(tilted.facet_count(), 0);
-  const Continuation continuation(scene);
-  const FacetCells cells(scene, continuation, grid, none);
-  const auto hidden = find_covers(tilted, scene, depth_ranges(scene), continuation, grid, cells, none).hidden;
+  const std::vector<std::uint8_t> hidden = Found(tilted, scene).covers.hidden;
   CHECK(count_of({hidden.begin(), hidden.begin() + 512}) == 0);
   CHECK(count_of({hidden.begin() + 512, hidden.end()}) > 450 / 2);
   for (const VisibleSegment& s : sweep(tilted, scene).segments) CHECK(hidden[s.facet.index()] == 0);
@@ -213,12 +220,7 @@ TEST_CASE("covers: sheets without a depth between them hide by their order") {
 TEST_CASE("roles: the inside of a sheet is plain, its border is open") {
   const Mesh mesh = sheets({{1, 0.8, 16}});
   const ProjectedScene scene = seen_from_above(mesh);
-  const CellGrid grid(scene.grid_bits, 5);
-  const std::vector<std::uint8_t> none(mesh.facet_count(), 0);
-  const Continuation continuation(scene);
-  const FacetCells cells(scene, continuation, grid, none);
-  const Covers covers = find_covers(mesh, scene, depth_ranges(scene), continuation, grid, cells, none);
-  const std::vector<Role> roles = find_roles(mesh, scene, continuation, covers, grid, cells);
+  const std::vector<Role> roles = Found(mesh, scene).roles(mesh, scene);
   const auto plain = std::ranges::count(roles, Role::plain);
   CHECK(plain > 256);
   CHECK(plain < 512 - 64);
@@ -228,17 +230,13 @@ TEST_CASE("roles: the inside of a sheet is plain, its border is open") {
 TEST_CASE("roles: beside a hidden facet of the sheet none is plain") {
   const Mesh mesh = sheets({{1, 0.8, 16}});
   const ProjectedScene scene = seen_from_above(mesh);
-  const CellGrid grid(scene.grid_bits, 5);
-  const std::vector<std::uint8_t> none(mesh.facet_count(), 0);
-  const Continuation continuation(scene);
-  const FacetCells cells(scene, continuation, grid, none);
-  Covers covers = find_covers(mesh, scene, depth_ranges(scene), continuation, grid, cells, none);
+  Found found(mesh, scene);
   const FacetId hidden(256 + 16);
-  covers.hidden[hidden.index()] = 1;
-  const std::vector<Role> roles = find_roles(mesh, scene, continuation, covers, grid, cells);
+  found.covers.hidden[hidden.index()] = 1;
+  const std::vector<Role> roles = found.roles(mesh, scene);
   CHECK(roles[hidden.index()] == Role::hidden);
   std::size_t beside = 0;
-  for (const EdgeId e : continuation.edges_of(scene, hidden)) {
+  for (const EdgeId e : found.continuation.edges_of(scene, hidden)) {
     for (const EdgeSide& side : scene.sides_of(e)) {
       if (side.facet == hidden) continue;
       CHECK(roles[side.facet.index()] == Role::open);

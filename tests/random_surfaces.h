@@ -1,4 +1,4 @@
-// Random surfaces of some hundred facets, snapped to a small grid: large enough for patches that no contour edge comes
+// Random surfaces of some hundred facets, snapped to a small grid: large enough for facets that no contour edge comes
 // near and for facets behind covers, which the few faces of random_scenes.h hardly ever are.
 //
 // In:  a seed (the same on every machine). Out: a mesh and the camera that looks down on it.
