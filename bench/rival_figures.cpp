@@ -21,7 +21,7 @@ std::vector<double> numbers_of(const std::optional<EmbreeSeconds>& seconds) {
 RivalWorks::RivalWorks(const BenchScene& scene) : scene_(&scene), file_(scene.file) {
   if (file_.empty()) file_ = written_.emplace(scene.mesh).path();
   ProjectedScene projected = project(scene.mesh, scene.camera, scene.sides);
-  triangles_ = projected_triangles(projected);
+  triangles_ = projected_triangles(scene.mesh, projected);
   points_ = std::move(projected.points);
 }
 

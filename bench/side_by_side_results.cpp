@@ -33,7 +33,7 @@ SceneResult measure_scene(const SceneFamily& family, const SceneMaker& maker, co
 }
 
 CgalResult measure_cgal(const std::string& label, const BenchScene& scene, const RunLimits& limits) {
-  const auto triangles = projected_triangles(project(scene.mesh, scene.camera, scene.sides));
+  const auto triangles = projected_triangles(scene.mesh, project(scene.mesh, scene.camera, scene.sides));
   const std::vector<Outcome> outcomes = run_in_turns({view_work(scene), cgal_work(triangles)}, limits);
   return {label, scene.mesh.facet_count(), triangles.size(), view_figures(outcomes[0], limits).sum,
           figure_of(outcomes[1], 0, limits)};

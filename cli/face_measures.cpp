@@ -9,8 +9,8 @@ namespace sightline {
 
 namespace {
 
-double in_view_area(const ProjectedScene& scene, FacetId facet) {
-  return fan_area(scene.polygon(facet), [](const ClippedCorner& corner) { return corner.position; });
+double in_view_area(const Mesh& mesh, const ProjectedScene& scene, FacetId facet) {
+  return fan_area(scene.polygon(facet), [&](const ClippedCorner& corner) { return position_of(mesh, scene, corner); });
 }
 
 // Twice the area in grid units squared, exactly.
@@ -50,7 +50,7 @@ FaceMeasures measure_facets(const Mesh& mesh, const ProjectedScene& scene, FaceI
   for (std::size_t i = mesh.first_facet(face); i < mesh.end_facet(face); ++i) {
     const FacetId facet(i);
     measures.area += facet_area(mesh, facet);
-    measures.in_view_area += in_view_area(scene, facet);
+    measures.in_view_area += in_view_area(mesh, scene, facet);
     twice_image += twice_image_area(scene, facet);
   }
   measures.image_area = in_window_units(twice_image, scene.grid_bits);

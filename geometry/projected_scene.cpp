@@ -4,10 +4,13 @@
 
 #include <algorithm>
 #include <atomic>
+#include <numeric>
 
 #include "geometry/clipping.h"
 #include "geometry/facet_plane.h"
+#include "geometry/grouping.h"
 #include "geometry/parallel.h"
+#include "geometry/sort_few.h"
 #include "geometry/unfiltered.h"
 #include "geometry/vertex_projection.h"
 
@@ -120,13 +123,15 @@ class SceneBuilder {
 
   void add_corners() {
     scene_.polygon_corners.resize(scene_.polygon_begin.back());
-    std::vector<std::vector<Place>> cut_places(clipped_.size());
+    const std::vector<std::size_t> first_made = number_made_corners();
+    places_.resize(scene_.made_corners.size());
     std::vector<std::uint8_t> in_view(mesh_.vertices.size(), 0);
     parallel_for_ranges(mesh_.facet_count(), [&](std::size_t range, std::size_t begin, std::size_t end) {
       auto clipped = clipped_[range].begin();
+      std::size_t made = first_made[range];
       for (std::size_t f = begin; f < end; ++f) {
         if (clipped != clipped_[range].end() && clipped->facet.index() == f) {
-          add_clipped(*clipped++, cut_places[range], in_view);
+          add_clipped(*clipped++, made, in_view);
         } else if (scene_.status[f] == Status::in_view) {
           add_whole(FacetId(f), in_view);
         }
@@ -135,7 +140,21 @@ class SceneBuilder {
     for (std::size_t v = 0; v < in_view.size(); ++v) {
       if (in_view[v] != 0) places_.push_back({projected_[v].image, static_cast<std::uint32_t>(v), true});
     }
-    for (const auto& places : cut_places) places_.insert(places_.end(), places.begin(), places.end());
+  }
+
+  // Per range of facets, the number of the first corner that clipping made there.
+  std::vector<std::size_t> number_made_corners() {
+    std::vector<std::size_t> first_made;
+    std::size_t made = 0;
+    for (const auto& clipped_of_range : clipped_) {
+      first_made.push_back(made);
+      for (const Clipped& clipped : clipped_of_range) {
+        made += static_cast<std::size_t>(
+            std::ranges::count_if(clipped.polygon, [](const ExactCorner& corner) { return !corner.vertex.valid(); }));
+      }
+    }
+    scene_.made_corners.resize(made);
+    return first_made;
   }
 
   void add_whole(FacetId f, std::vector<std::uint8_t>& in_view) {
@@ -145,14 +164,13 @@ class SceneBuilder {
     for (std::size_t i = 0; i < corners.size(); ++i) set_vertex_corner(first + i, corners[i], edges[i], in_view);
   }
 
-  void add_clipped(const Clipped& clipped, std::vector<Place>& cut_places, std::vector<std::uint8_t>& in_view) {
+  void add_clipped(const Clipped& clipped, std::size_t& made, std::vector<std::uint8_t>& in_view) {
     std::size_t at = scene_.polygon_begin[clipped.facet.index()];
     for (const ExactCorner& corner : clipped.polygon) {
       if (corner.vertex.valid()) {
         set_vertex_corner(at, corner.vertex, corner.edge_after, in_view);
       } else {
-        cut_places.push_back({round_to_grid(corner, scene_.grid_bits), static_cast<std::uint32_t>(at), false});
-        set_cut_corner(at, corner);
+        set_made_corner(clipped.facet, at, MadeCornerId(made++), corner);
       }
       ++at;
     }
@@ -160,102 +178,101 @@ class SceneBuilder {
 
   // A corner gets its point once all are known.
   void set_vertex_corner(std::size_t at, VertexId v, MeshEdgeId edge_after, std::vector<std::uint8_t>& in_view) {
-    scene_.polygon_corners[at] = {.point = {},
-                                  .position = mesh_.position(v),
-                                  .w = projected_[v.index()].w,
-                                  .vertex = v,
-                                  .edge_after = edge_after,
-                                  .on_edge = {}};
+    scene_.polygon_corners[at] = {.point = {}, .vertex = v, .made = {}, .edge_after = edge_after};
     std::atomic_ref(in_view[v.index()]).store(1, std::memory_order_relaxed);
   }
 
-  void set_cut_corner(std::size_t at, const ExactCorner& corner) {
-    scene_.polygon_corners[at] = {.point = {},
-                                  .position = corner.position(),
-                                  .w = corner.weight(),
-                                  .vertex = {},
-                                  .edge_after = corner.edge_after,
-                                  .on_edge = corner.on_edge};
+  void set_made_corner(FacetId f, std::size_t at, MadeCornerId made, const ExactCorner& corner) {
+    scene_.polygon_corners[at] = {.point = {}, .vertex = {}, .made = made, .edge_after = corner.edge_after};
+    scene_.made_corners[made.index()] = {corner.position(), corner.weight(), corner.on_edge, f,
+                                         static_cast<std::uint32_t>(at)};
+    places_[made.index()] = {round_to_grid(corner, scene_.grid_bits), static_cast<std::uint32_t>(at), false};
   }
 
   // Places that fall on one grid point are one point from here on.
   void number_points() {
     tbb::parallel_sort(places_.begin(), places_.end(),
                        [](const Place& a, const Place& b) { return sweeps_before(a.image, b.image); });
-    for (const Place& place : places_) {
-      if (scene_.points.empty() || scene_.points.back() != place.image) scene_.points.push_back(place.image);
-      const PointId point(scene_.points.size() - 1);
-      (place.is_vertex ? point_of_vertex_[place.owner] : scene_.polygon_corners[place.owner].point) = point;
-    }
+    const std::vector<std::size_t> first_point = count_points();
+    scene_.points.resize(first_point.back());
+    parallel_for_ranges(places_.size(), [&](std::size_t range, std::size_t begin, std::size_t end) {
+      std::size_t points = first_point[range];
+      for (std::size_t i = begin; i < end; ++i) {
+        if (is_new(i)) scene_.points[points++] = places_[i].image;
+        (places_[i].is_vertex ? point_of_vertex_[places_[i].owner] : scene_.polygon_corners[places_[i].owner].point) =
+            PointId(points - 1);
+      }
+    });
     parallel_for_each(scene_.polygon_corners.size(), [this](std::size_t i) {
       ClippedCorner& corner = scene_.polygon_corners[i];
       if (corner.vertex.valid()) corner.point = point_of_vertex_[corner.vertex.index()];
     });
   }
 
+  [[nodiscard]] bool is_new(std::size_t place) const {
+    return place == 0 || places_[place - 1].image != places_[place].image;
+  }
+
+  // Per range of places and one more, how many points lie before it.
+  [[nodiscard]] std::vector<std::size_t> count_points() const {
+    std::vector<std::size_t> before(range_count(places_.size()) + 1, 0);
+    parallel_for_ranges(places_.size(), [&](std::size_t range, std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) before[range + 1] += is_new(i) ? 1 : 0;
+    });
+    std::partial_sum(before.begin(), before.end(), before.begin());
+    return before;
+  }
+
+  // A side of a facet: the edge after one of its corners.
   struct PlacedSide {
-    PointId top;
     PointId bottom;
-    EdgeSide side;
+    std::uint32_t corner = 0;
+    FacetId facet;
   };
 
-  // The boundary of a facet that is counter-clockwise in the image runs down its left border: there the winding grows
-  // from left to right.
+  static constexpr auto by_bottom = [](const PlacedSide& a, const PlacedSide& b) {
+    return a.bottom != b.bottom ? a.bottom < b.bottom : a.corner < b.corner;
+  };
+
+  // Calls visit(top, side); edges whose ends fall on one point are none.
   template <class Visit>
-  void for_each_side(Visit visit) const {
-    for (std::size_t f = 0; f < mesh_.facet_count(); ++f) {
+  void for_each_side(const Visit& visit) const {
+    parallel_for_each(mesh_.facet_count(), [&](std::size_t f) {
+      const std::uint32_t first = scene_.polygon_begin[f];
       const auto polygon = scene_.polygon(FacetId(f));
       for (std::size_t i = 0; i < polygon.size(); ++i) {
         const PointId from = polygon[i].point;
         const PointId to = polygon[i + 1 == polygon.size() ? 0 : i + 1].point;
-        if (from < to) visit(PlacedSide{from, to, {FacetId(f), 1, polygon[i].edge_after}});
-        if (to < from) visit(PlacedSide{to, from, {FacetId(f), -1, polygon[i].edge_after}});
+        if (from != to)
+          visit(std::min(from, to).index(),
+                PlacedSide{std::max(from, to), static_cast<std::uint32_t>(first + i), FacetId(f)});
       }
-    }
-  }
-
-  // By their tops; those of one top stay in the order of facets.
-  [[nodiscard]] std::vector<PlacedSide> sides_by_top(std::vector<std::uint32_t>& begin) const {
-    begin.assign(scene_.points.size() + 1, 0);
-    for_each_side([&](const PlacedSide& side) { ++begin[side.top.index() + 1]; });
-    for (std::size_t p = 1; p < begin.size(); ++p) begin[p] += begin[p - 1];
-    std::vector<PlacedSide> sides(begin.back());
-    std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
-    for_each_side([&](const PlacedSide& side) { sides[next[side.top.index()]++] = side; });
-    return sides;
+    });
   }
 
   void collect_edges() {
-    std::vector<std::uint32_t> begin;
-    std::vector<PlacedSide> sides = sides_by_top(begin);
-    scene_.sides.resize(sides.size());
+    Grouping<PlacedSide> sides(scene_.points.size(), [this](const auto& visit) { for_each_side(visit); });
+    scene_.sides.resize(sides.item_count());
     std::vector<std::vector<SceneEdge>> edges(range_count(scene_.points.size()));
     parallel_for_ranges(scene_.points.size(), [&](std::size_t range, std::size_t first, std::size_t end) {
       for (std::size_t p = first; p < end; ++p) {
-        const auto of_top = std::span(sides).subspan(begin[p], begin[p + 1] - begin[p]);
-        sort_by_bottom(of_top);
-        add_sides(of_top, begin[p], edges[range]);
+        sort_few(sides.of(p), by_bottom);
+        add_sides(PointId(p), sides.of(p), sides.items_before(p), edges[range]);
       }
     });
     for (const auto& part : edges) scene_.edges.insert(scene_.edges.end(), part.begin(), part.end());
     scene_.edges.push_back({PointId{}, PointId{}, static_cast<std::uint32_t>(scene_.sides.size())});
   }
 
-  // Those of one bottom stay in the order of facets. Few sides have one top, but for hubs.
-  static void sort_by_bottom(std::span<PlacedSide> sides) {
-    constexpr std::size_t few = 16;
-    if (sides.size() > few) std::ranges::stable_sort(sides, {}, &PlacedSide::bottom);
-    for (std::size_t i = 1; i < sides.size(); ++i) {
-      for (std::size_t k = i; k > 0 && sides[k].bottom < sides[k - 1].bottom; --k) std::swap(sides[k], sides[k - 1]);
-    }
-  }
-
-  // first: the number of the first of these sides.
-  void add_sides(std::span<const PlacedSide> sides, std::size_t first, std::vector<SceneEdge>& edges) {
+  // first: the number of the first of these sides. The boundary of a facet that is counter-clockwise in the image runs
+  // down its left border: there the winding grows from left to right.
+  void add_sides(PointId top, std::span<const PlacedSide> sides, std::size_t first, std::vector<SceneEdge>& edges) {
     for (std::size_t i = 0; i < sides.size(); ++i) {
-      if (i == 0 || sides[i - 1].bottom != sides[i].bottom)
-        edges.push_back({sides[i].top, sides[i].bottom, static_cast<std::uint32_t>(first + i)});
-      scene_.sides[first + i] = sides[i].side;
+      const PlacedSide& side = sides[i];
+      if (i == 0 || sides[i - 1].bottom != side.bottom)
+        edges.push_back({top, side.bottom, static_cast<std::uint32_t>(first + i)});
+      const ClippedCorner& corner = scene_.polygon_corners[side.corner];
+      scene_.sides[first + i] = {side.facet, corner.point == top ? 1 : -1, corner.edge_after};
     }
   }
 
@@ -268,6 +285,11 @@ class SceneBuilder {
 };
 
 }  // namespace
+
+double weight_of(const Mesh& mesh, const ProjectedScene& scene, const ClippedCorner& corner) {
+  if (!corner.vertex.valid()) return scene.made(corner).w;
+  return project_vertex(mesh, corner.vertex, scene.camera, scene.grid_bits).w;
+}
 
 ProjectedScene project(const Mesh& mesh, const Camera& camera, Sides sides, const Precision& precision) {
   return SceneBuilder(mesh, camera, sides, precision).build();

@@ -59,14 +59,21 @@ struct SceneEdge {
   std::uint32_t first_side = 0;  // its sides: [first_side, the next edge's first_side)
 };
 
-// A corner of a facet's polygon in the view volume.
+// A corner of a facet's polygon in the view volume: a vertex, or made by clipping.
 struct ClippedCorner {
   PointId point;
-  Point3 position;        // in input coordinates; the vertex's own where it is one
-  double w = 1;           // W of the camera (1 where orthographic): perspective weight
   VertexId vertex;        // invalid: made by clipping
+  MadeCornerId made;      // invalid: a vertex
   MeshEdgeId edge_after;  // of the edge to the next corner; invalid: along the view volume's border
-  MeshEdgeId on_edge;     // where clipping made it: the mesh edge it is on; invalid: inside the facet
+};
+
+// A corner where clipping cut a facet's border.
+struct MadeCorner {
+  Point3 position;           // in input coordinates
+  double w = 1;              // W of the camera (1 where orthographic): perspective weight
+  MeshEdgeId on_edge;        // invalid: inside the facet
+  FacetId facet;             // whose corner it is
+  std::uint32_t corner = 0;  // its number among polygon_corners
 };
 
 struct ProjectedScene {
@@ -86,6 +93,7 @@ struct ProjectedScene {
   std::vector<Status> status;                // per facet
   std::vector<std::uint32_t> polygon_begin;  // per facet and one more, into polygon_corners
   std::vector<ClippedCorner> polygon_corners;
+  std::vector<MadeCorner> made_corners;
 
   [[nodiscard]] std::size_t edge_count() const { return edges.empty() ? 0 : edges.size() - 1; }
   [[nodiscard]] const SceneEdge& edge(EdgeId e) const { return edges[e.index()]; }
@@ -99,7 +107,22 @@ struct ProjectedScene {
     const auto first = polygon_begin[f.index()];
     return std::span(polygon_corners).subspan(first, polygon_begin[f.index() + 1] - first);
   }
+  // Precondition: clipping made it.
+  [[nodiscard]] const MadeCorner& made(const ClippedCorner& corner) const { return made_corners[corner.made.index()]; }
+  // The mesh edge on which clipping made the corner; invalid where there is none.
+  [[nodiscard]] MeshEdgeId cut_edge(const ClippedCorner& corner) const {
+    return corner.made.valid() ? made(corner).on_edge : MeshEdgeId{};
+  }
 };
+
+// A corner in input coordinates; the vertex's own where it is one.
+[[nodiscard]] inline const Point3& position_of(const Mesh& mesh, const ProjectedScene& scene,
+                                               const ClippedCorner& corner) {
+  return corner.vertex.valid() ? mesh.position(corner.vertex) : scene.made(corner).position;
+}
+
+// A corner's W of the camera (1 where orthographic): its perspective weight.
+[[nodiscard]] double weight_of(const Mesh& mesh, const ProjectedScene& scene, const ClippedCorner& corner);
 
 [[nodiscard]] ProjectedScene project(const Mesh& mesh, const Camera& camera, Sides sides,
                                      const Precision& precision = {});

@@ -42,6 +42,12 @@ Messages check_arrays(const ProjectedScene& scene) {
           "sides: no such facet");
   require(std::ranges::all_of(scene.polygon_corners, [&](const ClippedCorner& c) { return is_point(c.point); }),
           "polygon_corners: no such point");
+  const auto is_made = [&](const ClippedCorner& c) {
+    return c.made.index() < scene.made_corners.size() && &scene.polygon_corners[scene.made(c).corner] == &c;
+  };
+  require(std::ranges::all_of(scene.polygon_corners,
+                              [&](const ClippedCorner& c) { return c.vertex.valid() ? !c.made.valid() : is_made(c); }),
+          "polygon_corners: neither a vertex nor made by clipping, or both");
   require(std::ranges::all_of(scene.facing, [](Facing f) { return f <= Facing::edge_on; }), "facing: no such value");
   require(std::ranges::all_of(scene.status, [](Status s) { return s <= Status::culled; }), "status: no such value");
   return messages;

@@ -17,15 +17,15 @@ EdgePoints::EdgePoints(const Mesh& mesh, const ProjectedScene& scene, const Visi
     if (a.edge != b.edge) return a.edge < b.edge;
     if (a.point != b.point) return before_on_edge(a, b, points);
     const auto key = [](const Candidate& c) {
-      const Point3 p = c.cut != nullptr ? c.cut->position : Point3{};
-      return std::tuple(c.cut == nullptr, p.x, p.y, p.z);
+      const Point3 p = c.made != nullptr ? c.made->position : Point3{};
+      return std::tuple(c.made == nullptr, p.x, p.y, p.z);
     };
     return key(a) < key(b);
   });
   for (std::size_t i = 0; i < found.size(); ++i) {
     if (i > 0 && found[i].edge == found[i - 1].edge && found[i].point == found[i - 1].point) continue;
     points_.push_back({found[i].point, VertexId(vertices.size())});
-    vertices.push_back(position(found[i], scene, points));
+    vertices.push_back(position(found[i], mesh, scene, points));
     ++begin_[found[i].edge.index() + 1];
   }
   for (std::size_t e = 1; e < begin_.size(); ++e) begin_[e] += begin_[e - 1];
@@ -38,39 +38,38 @@ VertexId EdgePoints::vertex(MeshEdgeId edge, PointId p) const {
   throw InternalError("mesh edge " + std::to_string(edge.value) + " is not split at point " + std::to_string(p.value));
 }
 
-// A facet runs along its edges from corner to corner; clipping keeps that direction.
 void EdgePoints::find_in_view(const Mesh& mesh, const ProjectedScene& scene, const std::vector<Candidate>& found) {
   for (const Candidate& candidate : found) {
     std::uint32_t& slot = slot_[candidate.edge.index()];
     if (slot != 0) continue;
-    in_view_.emplace_back();
+    in_view_.push_back(in_view_of(mesh, scene, candidate.edge, candidate.facet));
     slot = static_cast<std::uint32_t>(in_view_.size());
   }
-  if (in_view_.empty()) return;
-  for (std::size_t f = 0; f < mesh.facet_count(); ++f) {
-    const auto corners = mesh.corners(FacetId(f));
-    const auto edges = mesh.edges_of(FacetId(f));
-    const auto polygon = scene.polygon(FacetId(f));
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-      const MeshEdgeId e = polygon[i].edge_after;
-      if (!e.valid() || slot_[e.index()] == 0) continue;
-      const auto place = static_cast<std::size_t>(std::find(edges.begin(), edges.end(), e) - edges.begin());
-      const bool forward = mesh.weld[corners[place].index()] == mesh.edges[e.index()][0];
-      const ClippedCorner* from = &polygon[i];
-      const ClippedCorner* to = &polygon[i + 1 == polygon.size() ? 0 : i + 1];
-      in_view_[slot_[e.index()] - 1] = forward ? InView{from, to} : InView{to, from};
-    }
-  }
+}
+
+// A facet runs along its edges from corner to corner; clipping keeps that direction. Nothing is in view of an edge that only
+// touches the view volume.
+EdgePoints::InView EdgePoints::in_view_of(const Mesh& mesh, const ProjectedScene& scene, MeshEdgeId edge,
+                                          FacetId facet) {
+  const auto polygon = scene.polygon(facet);
+  const auto from = std::ranges::find(polygon, edge, &ClippedCorner::edge_after);
+  if (from == polygon.end()) return {};
+  const auto to = from + 1 == polygon.end() ? polygon.begin() : from + 1;
+  const auto edges = mesh.edges_of(facet);
+  const auto place = static_cast<std::size_t>(std::ranges::find(edges, edge) - edges.begin());
+  const bool forward = mesh.weld[mesh.corners(facet)[place].index()] == mesh.edges[edge.index()][0];
+  return forward ? InView{&*from, &*to} : InView{&*to, &*from};
 }
 
 std::vector<EdgePoints::Candidate> EdgePoints::candidates(const ProjectedScene& scene,
                                                           const VisibleSegments& segments) {
   std::vector<Candidate> found;
-  for (const ClippedCorner& corner : scene.polygon_corners) {
-    if (corner.on_edge.valid()) found.push_back({corner.on_edge, corner.point, &corner});
+  for (const MadeCorner& made : scene.made_corners) {
+    if (!made.on_edge.valid()) continue;
+    found.push_back({made.on_edge, made.facet, scene.polygon_corners[made.corner].point, &made});
   }
   for (const EdgeSplit& split : segments.splits) {
-    if (split.mesh_edge.valid()) found.push_back({split.mesh_edge, split.point, nullptr});
+    if (split.mesh_edge.valid()) found.push_back({split.mesh_edge, split.facet, split.point, nullptr});
   }
   return found;
 }
@@ -82,10 +81,11 @@ bool EdgePoints::before_on_edge(const Candidate& a, const Candidate& b, const Im
   return downwards ? points.sweeps_before(a.point, b.point) : points.sweeps_before(b.point, a.point);
 }
 
-Point3 EdgePoints::position(const Candidate& c, const ProjectedScene& scene, const ImagePoints& points) const {
-  if (c.cut != nullptr) return c.cut->position;
+Point3 EdgePoints::position(const Candidate& c, const Mesh& mesh, const ProjectedScene& scene,
+                            const ImagePoints& points) const {
+  if (c.made != nullptr) return c.made->position;
   const InView& view = in_view(c.edge);
-  return lift_on_edge(scene, points, *view.from, *view.to, c.point);
+  return lift_on_edge(mesh, scene, points, *view.from, *view.to, c.point);
 }
 
 }  // namespace sightline

@@ -37,21 +37,24 @@ class EdgePoints {
   [[nodiscard]] VertexId vertex(MeshEdgeId edge, PointId p) const;
 
  private:
-  // The part of a mesh edge that is in view, from the edge's first end towards its second.
+  // The part of a mesh edge that is in view, whichever facet on it says it, from the edge's first end towards its second.
   struct InView {
     const ClippedCorner* from = nullptr;
     const ClippedCorner* to = nullptr;
   };
   struct Candidate {
     MeshEdgeId edge;
+    FacetId facet;  // one on the edge
     PointId point;
-    const ClippedCorner* cut = nullptr;  // where clipping made it
+    const MadeCorner* made = nullptr;  // where clipping made it
   };
 
   void find_in_view(const Mesh& mesh, const ProjectedScene& scene, const std::vector<Candidate>& found);
+  [[nodiscard]] static InView in_view_of(const Mesh& mesh, const ProjectedScene& scene, MeshEdgeId edge, FacetId facet);
   [[nodiscard]] static std::vector<Candidate> candidates(const ProjectedScene& scene, const VisibleSegments& segments);
   [[nodiscard]] bool before_on_edge(const Candidate& a, const Candidate& b, const ImagePoints& points) const;
-  [[nodiscard]] Point3 position(const Candidate& c, const ProjectedScene& scene, const ImagePoints& points) const;
+  [[nodiscard]] Point3 position(const Candidate& c, const Mesh& mesh, const ProjectedScene& scene,
+                                const ImagePoints& points) const;
 
   [[nodiscard]] const InView& in_view(MeshEdgeId edge) const { return in_view_[slot_[edge.index()] - 1]; }
 

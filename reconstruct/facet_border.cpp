@@ -112,10 +112,12 @@ std::vector<BorderPoint> whole_border(const Mesh& mesh, const EdgePoints& edge_p
   return border;
 }
 
-VertexId corner_vertex(const ClippedCorner& corner, const EdgePoints& edge_points, InnerVertices& inner) {
+VertexId corner_vertex(const ProjectedScene& scene, const ClippedCorner& corner, const EdgePoints& edge_points,
+                       InnerVertices& inner) {
   if (corner.vertex.valid()) return corner.vertex;
-  if (corner.on_edge.valid()) return edge_points.vertex(corner.on_edge, corner.point);
-  return inner.at(corner.point, corner.position);
+  const MadeCorner& made = scene.made(corner);
+  if (made.on_edge.valid()) return edge_points.vertex(made.on_edge, corner.point);
+  return inner.at(corner.point, made.position);
 }
 
 std::vector<PointId> splits_between(const ProjectedScene& scene, const ImagePoints& points, FacetId facet,
@@ -147,7 +149,7 @@ std::vector<ViewBorderPoint> view_border(const Mesh& mesh, const ProjectedScene&
     const ClippedCorner& corner = polygon[i];
     const ClippedCorner& next = polygon[i + 1 == polygon.size() ? 0 : i + 1];
     const auto own_side = static_cast<std::uint32_t>(corners.size() + i);
-    ViewBorderPoint point{{corner_vertex(corner, edge_points, inner), own_side}, corner.point};
+    ViewBorderPoint point{{corner_vertex(scene, corner, edge_points, inner), own_side}, corner.point};
     if (!corner.edge_after.valid()) {
       border.push_back(point);
       for (const PointId p : splits_between(scene, points, facet, i, splits_of_view_border)) {
@@ -160,7 +162,7 @@ std::vector<ViewBorderPoint> view_border(const Mesh& mesh, const ProjectedScene&
     point.border.side = sides[place];
     border.push_back(point);
     for (const EdgePoint& p : along(mesh, edge_points, corner.edge_after, corners[place])) {
-      if (p.vertex == point.border.vertex || p.vertex == corner_vertex(next, edge_points, inner)) continue;
+      if (p.vertex == point.border.vertex || p.vertex == corner_vertex(scene, next, edge_points, inner)) continue;
       border.push_back({{p.vertex, sides[place]}, p.point});
     }
   }

@@ -44,7 +44,8 @@ class InnerVertices {
                                                        InnerVertices& inner);
 
 // The vertex of a corner of a clipped polygon.
-[[nodiscard]] VertexId corner_vertex(const ClippedCorner& corner, const EdgePoints& edge_points, InnerVertices& inner);
+[[nodiscard]] VertexId corner_vertex(const ProjectedScene& scene, const ClippedCorner& corner,
+                                     const EdgePoints& edge_points, InnerVertices& inner);
 
 // The splits of the line from corner i to the next along the view volume's border, in that direction.
 [[nodiscard]] std::vector<PointId> splits_between(const ProjectedScene& scene, const ImagePoints& points, FacetId facet,

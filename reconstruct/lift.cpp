@@ -30,15 +30,25 @@ std::array<double, N> relative_weights(std::array<double, N> weights) {
   return weights;
 }
 
+// A corner in space.
+struct LiftedCorner {
+  Point3 position;
+  double w = 1;  // perspective weight
+};
+
+LiftedCorner lifted(const Mesh& mesh, const ProjectedScene& scene, const ClippedCorner& corner) {
+  return {position_of(mesh, scene, corner), weight_of(mesh, scene, corner)};
+}
+
 // The point at image fraction s between a and b: perspective weights turn it into the fraction on the edge.
-Point3 between(const ClippedCorner& a, const ClippedCorner& b, double s) {
+Point3 between(const LiftedCorner& a, const LiftedCorner& b, double s) {
   const auto [w_a, w_b] = relative_weights(std::array{a.w, b.w});
   const double t = s * w_a / ((1 - s) * w_b + s * w_a);
   return a.position + t * (b.position - a.position);
 }
 
 // Barycentric in the image, divided by W, is barycentric on the facet up to a factor.
-Point3 in_triangle(const ClippedCorner& a, const ClippedCorner& b, const ClippedCorner& c,
+Point3 in_triangle(const LiftedCorner& a, const LiftedCorner& b, const LiftedCorner& c,
                    const std::array<Wide512, 3>& areas) {
   const auto [w_a, w_b, w_c] = relative_weights(std::array{a.w, b.w, c.w});
   const double weight0 = static_cast<double>(areas[0]) / w_a;
@@ -51,7 +61,7 @@ Point3 in_triangle(const ClippedCorner& a, const ClippedCorner& b, const Clipped
 
 }  // namespace
 
-Point3 lift_on_edge(const ProjectedScene& scene, const ImagePoints& points, const ClippedCorner& a,
+Point3 lift_on_edge(const Mesh& mesh, const ProjectedScene& scene, const ImagePoints& points, const ClippedCorner& a,
                     const ClippedCorner& b, PointId p) {
   const ImagePoint& image_a = scene.point(a.point);
   const ImagePoint& image_b = scene.point(b.point);
@@ -62,11 +72,12 @@ Point3 lift_on_edge(const ProjectedScene& scene, const ImagePoints& points, cons
       std::abs(dx) > std::abs(dy)
           ? signed_quotient(exact.x - Wide512(image_a.x) * exact.denominator, Wide512(dx) * exact.denominator)
           : signed_quotient(exact.y - Wide512(image_a.y) * exact.denominator, Wide512(dy) * exact.denominator);
-  return between(a, b, s);
+  return between(lifted(mesh, scene, a), lifted(mesh, scene, b), s);
 }
 
 // The polygon as a fan of triangles around its first corner.
-std::optional<Point3> lift_on_facet(const ProjectedScene& scene, const ImagePoints& points, FacetId facet, PointId p) {
+std::optional<Point3> lift_on_facet(const Mesh& mesh, const ProjectedScene& scene, const ImagePoints& points,
+                                    FacetId facet, PointId p) {
   const auto polygon = scene.polygon(facet);
   const ExactPoint exact = points.exact(p);
   const auto image = [&](std::size_t i) { return scene.point(polygon[i].point); };
@@ -77,7 +88,8 @@ std::optional<Point3> lift_on_facet(const ProjectedScene& scene, const ImagePoin
                                        Wide512(turn * scaled_area(image(i + 1), image(0), exact)),
                                        Wide512(turn * scaled_area(image(0), image(i), exact))};
     if (areas[0] < 0 || areas[1] < 0 || areas[2] < 0) continue;
-    return in_triangle(polygon[0], polygon[i], polygon[i + 1], areas);
+    return in_triangle(lifted(mesh, scene, polygon[0]), lifted(mesh, scene, polygon[i]),
+                       lifted(mesh, scene, polygon[i + 1]), areas);
   }
   return std::nullopt;
 }

@@ -83,7 +83,7 @@ class OutsidePieces {
       : scene_(scene), points_(points), facet_(facet), splits_(splits), inner_(inner), flat_(mesh, facet) {
     const auto polygon = clip(mesh, scene.camera, facet);
     for (std::size_t i = 0; i < polygon.size(); ++i) {
-      flat_.add(polygon[i], corner_vertex(scene.polygon(facet)[i], edge_points, inner), i);
+      flat_.add(polygon[i], corner_vertex(scene, scene.polygon(facet)[i], edge_points, inner), i);
       if (!polygon[i].edge_after.valid()) border_lines_.push_back(i);
     }
     for (const VertexId v : mesh.corners(facet)) flat_.add(exact_corner(mesh, v, scene.camera), v, FlatPoint::npos);

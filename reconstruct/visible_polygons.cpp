@@ -5,6 +5,7 @@
 
 #include "geometry/errors.h"
 #include "geometry/facet_plane.h"
+#include "geometry/grouping.h"
 #include "geometry/parallel.h"
 #include "reconstruct/ring_linker.h"
 #include "sweep/image_points.h"
@@ -87,32 +88,27 @@ Measure measure(const ImagePoints& points, const VisibleSegments& segments, std:
   return m;
 }
 
-// The segments by surface; those of one surface stay in their order.
-class SurfaceSegments {
- public:
-  SurfaceSegments(const Mesh& mesh, const VisibleSegments& segments) : begin_(mesh.facet_count() + 1, 0) {
-    const auto surface = [&](std::size_t s) { return surface_of(mesh, segments.segments[s].facet).index(); };
-    const std::size_t count = segments.segments.size();
-    for (std::size_t s = 0; s < count; ++s) ++begin_[surface(s) + 1];
-    for (std::size_t f = 1; f < begin_.size(); ++f) begin_[f] += begin_[f - 1];
-    segments_.resize(count);
-    std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
-    for (std::size_t s = 0; s < count; ++s) segments_[next[surface(s)]++] = SegmentId(s);
-  }
-
-  [[nodiscard]] std::span<const SegmentId> of(FacetId surface) const {
-    return std::span(segments_).subspan(begin_[surface.index()], begin_[surface.index() + 1] - begin_[surface.index()]);
-  }
-
- private:
-  std::vector<std::uint32_t> begin_;  // per facet and one more; empty but for first facets of surfaces
-  std::vector<SegmentId> segments_;
-};
+// Per facet that names a surface the surface's segments, in their order.
+Grouping<SegmentId> segments_by_surface(const Mesh& mesh, const VisibleSegments& segments) {
+  Grouping<SegmentId> of_surface(mesh.facet_count(), [&](const auto& visit) {
+    parallel_for_each(segments.segments.size(), [&](std::size_t s) {
+      visit(surface_of(mesh, segments.segments[s].facet).index(), SegmentId(s));
+    });
+  });
+  parallel_for_each(mesh.facet_count(), [&](std::size_t surface) { std::ranges::sort(of_surface.of(surface)); });
+  return of_surface;
+}
 
 // What all surfaces are reconstructed from.
 struct Sources {
   Sources(const Mesh& m, const ProjectedScene& s, const VisibleSegments& v)
-      : mesh(m), scene(s), segments(v), points(s, v), order(s, v), of_surface(m, v), threads(v.threads) {
+      : mesh(m),
+        scene(s),
+        segments(v),
+        points(s, v),
+        order(s, v),
+        of_surface(segments_by_surface(m, v)),
+        threads(v.threads) {
     std::stable_sort(threads.begin(), threads.end(), [this](const Thread& a, const Thread& b) {
       return surface_of(mesh, a.facet) < surface_of(mesh, b.facet);
     });
@@ -123,7 +119,7 @@ struct Sources {
   const VisibleSegments& segments;
   const ImagePoints points;
   const SweepOrder order;
-  const SurfaceSegments of_surface;
+  const Grouping<SegmentId> of_surface;
   std::vector<Thread> threads;  // by surface; those of one surface stay in sweep order
 };
 
@@ -133,7 +129,7 @@ class Reconstruction {
   explicit Reconstruction(const Sources& from) : from_(from) {}
 
   void add_surface(FacetId surface) {
-    const auto ids = from_.of_surface.of(surface);
+    const auto ids = from_.of_surface.of(surface.index());
     const SingleRing single = single_ring(from_.scene, from_.segments, from_.order, ids);
     if (single.outer) {
       add_single(surface, {single.segments.data(), single.segments.size()});

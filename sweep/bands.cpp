@@ -1,6 +1,7 @@
 #include "sweep/bands.h"
 
 #include <algorithm>
+#include <atomic>
 
 #include "geometry/facet_plane.h"
 #include "geometry/parallel.h"
@@ -53,25 +54,42 @@ class BandMaker {
   // Per surface, named by its first facet.
   [[nodiscard]] std::vector<std::uint32_t> top_rows() const {
     std::vector<std::uint32_t> row(mesh_.facet_count(), 0);
-    for (std::size_t f = 0; f < mesh_.facet_count(); ++f) {
-      if (!is_open(f)) continue;
-      std::uint32_t& top = row[surface_of(mesh_, FacetId(f)).index()];
-      for (const FacetCell& cell : cells_.of(FacetId(f))) top = std::max(top, cell.cell() / grid_.side());
-    }
+    parallel_for_each(row.size(), [&](std::size_t surface) {
+      if (surface_of(mesh_, FacetId(surface)).index() != surface) return;
+      const std::size_t end = end_of_surface(mesh_, FacetId(surface)).index();
+      for (std::size_t f = surface; f < end; ++f) {
+        if (is_open(f)) row[surface] = std::max(row[surface], top_row(FacetId(f)));
+      }
+    });
     return row;
   }
 
-  void find_swept() {
-    std::vector<BandSet> open_in_cell(grid_.cell_count(), 0);
-    for (std::size_t f = 0; f < mesh_.facet_count(); ++f) {
-      if (!is_open(f)) continue;
+  [[nodiscard]] std::uint32_t top_row(FacetId f) const {
+    std::uint32_t top = 0;
+    for (const FacetCell& cell : cells_.of(f)) top = std::max(top, cell.cell() / grid_.side());
+    return top;
+  }
+
+  // Per cell the bands of the open facets that touch it.
+  [[nodiscard]] std::vector<BandSet> open_in_cells() const {
+    std::vector<BandSet> open(grid_.cell_count(), 0);
+    parallel_for_each(mesh_.facet_count(), [&](std::size_t f) {
+      if (!is_open(f)) return;
       for (const FacetCell& cell : cells_.of(FacetId(f)))
-        open_in_cell[cell.cell()] |= BandSet{1} << result_.band_of[f].value;
-    }
+        std::atomic_ref(open[cell.cell()]).fetch_or(set_of_band(f), std::memory_order_relaxed);
+    });
+    return open;
+  }
+
+  // Of an open facet.
+  [[nodiscard]] BandSet set_of_band(std::size_t f) const { return BandSet{1} << result_.band_of[f].value; }
+
+  void find_swept() {
+    const std::vector<BandSet> open_in_cell = open_in_cells();
     std::vector<BandSet> bands_of(mesh_.facet_count(), 0);
     parallel_for_each(bands_of.size(), [&](std::size_t f) {
       if (roles_[f] == Role::absent || roles_[f] == Role::hidden) return;
-      if (is_open(f)) bands_of[f] = BandSet{1} << result_.band_of[f].value;
+      if (is_open(f)) bands_of[f] = set_of_band(f);
       for (const FacetCell& cell : cells_.of(FacetId(f))) bands_of[f] |= open_in_cell[cell.cell()];
     });
     parallel_for_each(count_, 1, [&](std::size_t band) {

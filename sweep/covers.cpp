@@ -3,8 +3,10 @@
 #include <tbb/enumerable_thread_specific.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
+#include "geometry/grouping.h"
 #include "geometry/parallel.h"
 #include "sweep/depth_order.h"
 #include "sweep/facet_outline.h"
@@ -19,46 +21,32 @@ constexpr std::size_t most_failures = 4;
 // Per cell how many facets may be over its centre, up to two.
 std::vector<std::uint8_t> count_over_centre(const FacetCells& cells, const CellGrid& grid, std::size_t facets) {
   std::vector<std::uint8_t> count(grid.cell_count(), 0);
-  for (std::size_t f = 0; f < facets; ++f) {
+  parallel_for_each(facets, [&](std::size_t f) {
     for (const FacetCell& cell : cells.of(FacetId(f))) {
-      if (cell.over_centre() && count[cell.cell()] < 2) ++count[cell.cell()];
+      std::atomic_ref of_cell(count[cell.cell()]);
+      std::uint8_t before = of_cell.load(std::memory_order_relaxed);
+      while (cell.over_centre() && before < 2 && !of_cell.compare_exchange_weak(before, before + 1)) continue;
     }
-  }
+  });
   return count;
 }
 
-// Per cell with several facets over its centre the facets that touch it.
-class CellFacets {
- public:
-  struct CellFacet {
-    FacetId facet;
-    bool over_centre = false;
-  };
-
-  CellFacets(const FacetCells& cells, const std::vector<std::uint8_t>& over_centre, std::size_t facets)
-      : begin_(over_centre.size() + 1, 0) {
-    const auto for_each_pair = [&](auto visit) {
-      for (std::size_t f = 0; f < facets; ++f) {
-        for (const FacetCell& cell : cells.of(FacetId(f))) {
-          if (over_centre[cell.cell()] > 1) visit(cell.cell(), CellFacet{FacetId(f), cell.over_centre()});
-        }
-      }
-    };
-    for_each_pair([this](CellIndex cell, const CellFacet&) { ++begin_[cell + 1]; });
-    for (std::size_t cell = 1; cell < begin_.size(); ++cell) begin_[cell] += begin_[cell - 1];
-    facets_.resize(begin_.back());
-    std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
-    for_each_pair([&](CellIndex cell, const CellFacet& facet) { facets_[next[cell]++] = facet; });
-  }
-
-  [[nodiscard]] std::span<const CellFacet> in_cell(CellIndex cell) const {
-    return std::span(facets_).subspan(begin_[cell], begin_[cell + 1] - begin_[cell]);
-  }
-
- private:
-  std::vector<std::uint32_t> begin_;
-  std::vector<CellFacet> facets_;
+struct CellFacet {
+  FacetId facet;
+  bool over_centre = false;
 };
+
+// Per cell with several facets over its centre the facets that touch it.
+Grouping<CellFacet> facets_by_cell(const FacetCells& cells, const std::vector<std::uint8_t>& over_centre,
+                                   std::size_t facets) {
+  return Grouping<CellFacet>(over_centre.size(), [&](const auto& visit) {
+    parallel_for_each(facets, [&](std::size_t f) {
+      for (const FacetCell& cell : cells.of(FacetId(f))) {
+        if (over_centre[cell.cell()] > 1) visit(cell.cell(), CellFacet{FacetId(f), cell.over_centre()});
+      }
+    });
+  });
+}
 
 // Whether an edge certainly misses a square: its line passes the centre further away than the corners are. The products are
 // off by less than 2^-50 of their absolute values.
@@ -99,7 +87,7 @@ bool is_beyond_an_edge(std::span<const ImagePoint> points, std::span<const Image
 class CoverFinder {
  public:
   CoverFinder(const Mesh& mesh, const ProjectedScene& scene, const std::vector<DepthRange>& depths,
-              const Continuation& continuation, const CellGrid& grid, const CellFacets& facets,
+              const Continuation& continuation, const CellGrid& grid, const Grouping<CellFacet>& facets,
               std::vector<std::uint8_t>& one_sheet)
       : scene_(scene),
         depths_(depths),
@@ -115,7 +103,7 @@ class CoverFinder {
     for (unsigned column = 0; column < grid_.side(); ++column) {
       cell_ = grid_.cell(column, row);
       centre_ = grid_.centre(column, row);
-      if (!facets_.in_cell(cell_).empty()) look_at_cell();
+      if (!facets_.of(cell_).empty()) look_at_cell();
     }
   }
 
@@ -134,7 +122,7 @@ class CoverFinder {
 
   void find_over_centre() {
     over_centre_.clear();
-    for (const auto& [f, over_centre] : facets_.in_cell(cell_)) {
+    for (const auto& [f, over_centre] : facets_.of(cell_)) {
       if (over_centre && continuation_.is_proper(f)) over_centre_.push_back(f);
     }
     std::ranges::sort(over_centre_, {}, [this](FacetId f) { return std::pair(depths_[f.index()].farthest, f); });
@@ -183,7 +171,7 @@ class CoverFinder {
   // What is deeper than all of the cover is hidden; what else is not of the cover may be behind it.
   void find_others() {
     behind_.clear();
-    for (const auto& [f, over_centre] : facets_.in_cell(cell_)) {
+    for (const auto& [f, over_centre] : facets_.of(cell_)) {
       if (mark_[f.index()] == marks_) continue;
       if (depths_[f.index()].nearest > cover_farthest_) {
         ++hidden_cells_[f.index()];
@@ -228,7 +216,7 @@ class CoverFinder {
   const std::vector<DepthRange>& depths_;
   const Continuation& continuation_;
   const CellGrid& grid_;
-  const CellFacets& facets_;
+  const Grouping<CellFacet>& facets_;
   std::vector<std::uint8_t>& one_sheet_;
   DepthOrder order_;
   std::vector<std::uint32_t> mark_;          // per facet: the last sheet that it was of
@@ -250,7 +238,7 @@ Covers find_covers(const Mesh& mesh, const ProjectedScene& scene, const std::vec
                    const Continuation& continuation, const CellGrid& grid, const FacetCells& cells,
                    std::vector<std::uint8_t> hidden) {
   Covers covers{std::move(hidden), count_over_centre(cells, grid, scene.status.size())};
-  const CellFacets facets(cells, covers.one_sheet, scene.status.size());
+  const Grouping<CellFacet> facets = facets_by_cell(cells, covers.one_sheet, scene.status.size());
   std::ranges::replace(covers.one_sheet, 2, 0);
   tbb::enumerable_thread_specific<CoverFinder> finders(
       [&] { return CoverFinder(mesh, scene, depths, continuation, grid, facets, covers.one_sheet); });

@@ -32,7 +32,7 @@ namespace sightline {
 
 class DepthOrder {
  public:
-  // ranges: per facet, as depth_ranges(scene) gives them; or none, and then they do not help.
+  // ranges: per facet, as depth_ranges(mesh, scene) gives them; or none, and then they do not help.
   DepthOrder(const Mesh& mesh, const ProjectedScene& scene, std::span<const DepthRange> ranges = {});
 
   [[nodiscard]] bool nearer(FacetId f, FacetId g);

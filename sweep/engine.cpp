@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <mutex>
 
 #include "geometry/parallel.h"
@@ -27,8 +28,12 @@ constexpr double pairs_of_surface_facet = 6;
 constexpr double pairs_of_lone_facet = 40;
 
 double contour_share(const ProjectedScene& scene, const Continuation& continuation) {
-  std::size_t contours = 0;
-  for (std::size_t e = 0; e < scene.edge_count(); ++e) contours += continuation.is_contour(EdgeId(e)) ? 1 : 0;
+  std::atomic<std::size_t> contours = 0;
+  parallel_for_ranges(scene.edge_count(), [&](std::size_t /*range*/, std::size_t begin, std::size_t end) {
+    std::size_t here = 0;
+    for (std::size_t e = begin; e < end; ++e) here += continuation.is_contour(EdgeId(e)) ? 1 : 0;
+    contours += here;
+  });
   return static_cast<double>(contours) / static_cast<double>(std::max<std::size_t>(scene.edge_count(), 1));
 }
 
@@ -135,7 +140,7 @@ VisibleSegments fast_visible_segments(const Mesh& mesh, const ProjectedScene& sc
                                       SweepObserver* observer) {
   if (scene.arithmetic != Arithmetic::exact) return sweep(mesh, scene, observer);
   const Continuation continuation(scene);
-  const std::vector<DepthRange> depths = depth_ranges(scene);
+  const std::vector<DepthRange> depths = depth_ranges(mesh, scene);
   std::vector<std::uint8_t> behind_large = hidden_behind_large_facets(scene, depths);
   keep_surfaces_whole(mesh, scene, behind_large);
   const CellGrid grid(scene.grid_bits, options.level ? *options.level : level_for(scene, continuation, behind_large));

@@ -14,7 +14,13 @@ constexpr auto same_pair = [](const auto& a, const auto& b) { return a.a == b.a 
 template <class Decisions>
 int EventQueue<Decisions>::compare(const Entry& a, const Entry& b) const {
   if (const int by_y = Decisions::compare_rounded(a.y, b.y); by_y != 0) return by_y;
-  return Decisions::compare(events_[a.event].point, events_[b.event].point);
+  return compare(events_[a.event], events_[b.event]);
+}
+
+// A pair is in the heap once for each time its edges became neighbours: that often, and it needs no arithmetic.
+template <class Decisions>
+int EventQueue<Decisions>::compare(const Event& a, const Event& b) {
+  return same_pair(a, b) ? 0 : Decisions::compare(a.point, b.point);
 }
 
 template <class Decisions>
@@ -53,12 +59,11 @@ bool EventQueue<Decisions>::next(Point& point) {
   return true;
 }
 
-// A pair is in the heap once for each time its edges became neighbours.
 template <class Decisions>
 void EventQueue<Decisions>::take_crossings_at_first(Point& point) {
   auto& crossings = point.crossings;
   crossings.push_back(pop_crossing());
-  while (!heap_.empty() && Decisions::compare(events_[heap_.front().event].point, crossings.front().point) == 0) {
+  while (!heap_.empty() && compare(events_[heap_.front().event], crossings.front()) == 0) {
     crossings.push_back(pop_crossing());
   }
   std::sort(crossings.begin(), crossings.end(), pair_before);

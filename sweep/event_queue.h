@@ -51,6 +51,7 @@ class EventQueue {
   };
 
   [[nodiscard]] int compare(const Entry& a, const Entry& b) const;
+  [[nodiscard]] static int compare(const Event& a, const Event& b);
   void take_crossings_at_first(Point& point);
   Event pop_crossing();
 

@@ -12,9 +12,8 @@ CrossingPoint crossing_of(const ProjectedScene& scene, const Crossing& crossing)
 }
 
 ExactPoint homogeneous(const CrossingPoint& c) {
-  const Wide512 denominator(c.denominator);
-  return {Wide512(c.base.x) * denominator + Wide512(c.offset_x), Wide512(c.base.y) * denominator + Wide512(c.offset_y),
-          denominator};
+  return {Wide512(c.base.x * c.denominator + c.offset_x), Wide512(c.base.y * c.denominator + c.offset_y),
+          Wide512(c.denominator)};
 }
 
 Sign exact_orientation(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c) {

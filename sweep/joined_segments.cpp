@@ -1,8 +1,12 @@
 #include "sweep/joined_segments.h"
 
+#include <tbb/parallel_sort.h>
+
 #include <algorithm>
 #include <tuple>
 
+#include "geometry/parallel.h"
+#include "geometry/sort_few.h"
 #include "sweep/crossing_point.h"
 #include "sweep/image_decisions.h"
 
@@ -64,22 +68,98 @@ class JoinedCrossings {
   std::vector<std::pair<Key, std::size_t>> index_;
 };
 
+// The segments that open at some of the scene's points, in a row, and at crossings between them, in their order.
+class OpeningsAtPoints {
+ public:
+  // from_bands: in the order in which they open, those of one point and one band from left to right already; from the
+  // first that may open at the points on.
+  OpeningsAtPoints(const ProjectedScene& scene, const Continuation& continuation, const std::vector<Role>& roles,
+                   const SweepOrder& order, std::span<const Opening> from_bands)
+      : scene_(scene), continuation_(continuation), roles_(roles), order_(order), from_bands_(from_bands) {}
+
+  std::vector<Opening> find(std::size_t begin, std::size_t end) {
+    const auto edges = std::span(scene_.edges).first(scene_.edge_count());
+    next_edge_ =
+        static_cast<std::size_t>(std::ranges::lower_bound(edges, PointId(begin), {}, &SceneEdge::top) - edges.begin());
+    for (std::size_t p = begin; p < end; ++p) {
+      take_swept_through(PointId(p));
+      open_plain_at(PointId(p));
+      place_here();
+    }
+    return std::move(placed_);
+  }
+
+ private:
+  // What opens before point p, crossing by crossing, and what opens at p.
+  void take_swept_through(PointId p) {
+    for (; next_swept_ < from_bands_.size(); ++next_swept_) {
+      const Opening& opening = from_bands_[next_swept_];
+      if (order_(p, opening.upper())) break;
+      if (!here_.empty() && here_.front().upper() != opening.upper()) place_here();
+      here_.push_back(opening);
+    }
+    if (!here_.empty() && here_.front().upper() != p) place_here();
+  }
+
+  // Edges are sorted by their tops.
+  void open_plain_at(PointId p) {
+    for (; next_edge_ < scene_.edge_count() && scene_.edges[next_edge_].top == p; ++next_edge_) {
+      const EdgeId e(next_edge_);
+      if (continuation_.is_contour(e)) continue;
+      const auto& [left, right] = continuation_.across(e);
+      const PointId bottom = scene_.edge(e).bottom;
+      if (is_plain(left)) here_.push_back({{bottom, p, left, right, e}, {}, {}, true});
+      if (is_plain(right)) here_.push_back({{p, bottom, right, left, e}, {}, {}, false});
+    }
+  }
+
+  [[nodiscard]] bool is_plain(FacetId f) const { return roles_[f.index()] == Role::plain; }
+
+  // From left to right; along one edge first what is left of it.
+  void place_here() {
+    sort_few(std::span(here_), [this](const Opening& a, const Opening& b) {
+      const Sign turn = directions_turn(a.segment.edge, b.segment.edge);
+      return turn != 0 ? turn > 0 : a.left_of_edge && !b.left_of_edge;
+    });
+    placed_.insert(placed_.end(), here_.begin(), here_.end());
+    here_.clear();
+  }
+
+  [[nodiscard]] Sign directions_turn(EdgeId a, EdgeId b) const {
+    if (a == b) return 0;
+    const auto direction = [this](EdgeId e) {
+      return ExactDecisions::direction(scene_.point(scene_.edge(e).top), scene_.point(scene_.edge(e).bottom));
+    };
+    return ExactDecisions::turn(direction(a), direction(b));
+  }
+
+  const ProjectedScene& scene_;
+  const Continuation& continuation_;
+  const std::vector<Role>& roles_;
+  const SweepOrder& order_;
+  const std::span<const Opening> from_bands_;
+  std::size_t next_swept_ = 0;
+  std::size_t next_edge_ = 0;
+  std::vector<Opening> here_;  // at the current point
+  std::vector<Opening> placed_;
+};
+
 class Joining {
  public:
   Joining(const ProjectedScene& scene, const Continuation& continuation, const std::vector<Role>& roles,
           const Bands& bands, std::vector<VisibleSegments> swept)
-      : scene_(scene), continuation_(continuation), roles_(roles), bands_(bands), swept_(std::move(swept)) {}
+      : scene_(scene),
+        continuation_(continuation),
+        roles_(roles),
+        bands_(bands),
+        swept_(std::move(swept)),
+        order_(scene, result_) {}
 
   VisibleSegments join() {
-    for (std::size_t band = 0; band < swept_.size(); ++band) drop_foreign(BandId(band));
+    parallel_for_each(swept_.size(), 1, [this](std::size_t band) { drop_foreign(BandId(band)); });
     join_crossings();
-    collect_swept();
-    for (std::size_t p = 0; p < scene_.points.size(); ++p) {
-      take_swept_through(PointId(p));
-      open_plain_at(PointId(p));
-      place_openings();
-    }
-    take_swept_through({});
+    collect_splits();
+    place_segments(collect_swept());
     take_threads();
     return std::move(result_);
   }
@@ -92,7 +172,6 @@ class Joining {
     VisibleSegments& swept = swept_[band.index()];
     std::erase_if(swept.threads, [&](const Thread& t) { return !is_of(t.facet, band); });
     std::erase_if(swept.splits, [&](const EdgeSplit& s) { return !is_of(s.facet, band); });
-    result_.statistics += swept.statistics;
   }
 
   template <class Visit>
@@ -106,104 +185,93 @@ class Joining {
     for (EdgeSplit& split : swept_[band.index()].splits) visit(split.point);
   }
 
-  void join_crossings() {
+  // Per crossing of the band's sweep whether what is used of the band has it as a point.
+  [[nodiscard]] std::vector<std::uint8_t> used_crossings(BandId band) {
     const std::size_t vertices = scene_.points.size();
+    std::vector<std::uint8_t> used(swept_[band.index()].crossings.size(), 0);
+    for_each_point(band, [&](const PointId& p) {
+      if (p.index() >= vertices) used[p.index() - vertices] = 1;
+    });
+    return used;
+  }
+
+  void join_crossings() {
     std::vector<std::vector<std::uint8_t>> used(swept_.size());
+    parallel_for_each(swept_.size(), 1, [&](std::size_t band) { used[band] = used_crossings(BandId(band)); });
     std::vector<Crossing> crossings;
     for (std::size_t band = 0; band < swept_.size(); ++band) {
       const auto& own = swept_[band].crossings;
-      used[band].assign(own.size(), 0);
-      for_each_point(BandId(band), [&](const PointId& p) {
-        if (p.index() >= vertices) used[band][p.index() - vertices] = 1;
-      });
       for (std::size_t i = 0; i < own.size(); ++i) {
         if (used[band][i] != 0) crossings.push_back(own[i]);
       }
     }
     const JoinedCrossings joined(scene_, crossings);
-    for (std::size_t band = 0; band < swept_.size(); ++band) {
-      const auto& own = swept_[band].crossings;
-      std::vector<PointId> name(own.size());
-      for (std::size_t i = 0; i < own.size(); ++i) {
-        if (used[band][i] != 0) name[i] = joined.name(own[i]);
-      }
-      for_each_point(BandId(band), [&](PointId& p) {
-        if (p.index() >= vertices) p = name[p.index() - vertices];
-      });
-    }
+    parallel_for_each(swept_.size(), 1, [&](std::size_t band) { rename_points(BandId(band), used[band], joined); });
     result_.crossings = joined.all();
   }
 
-  // In the order in which they open. Those of one point and one band are from left to right already.
-  void collect_swept() {
-    const SweepOrder order(scene_, result_);
+  void rename_points(BandId band, const std::vector<std::uint8_t>& used, const JoinedCrossings& joined) {
+    const std::size_t vertices = scene_.points.size();
+    const auto& own = swept_[band.index()].crossings;
+    std::vector<PointId> name(own.size());
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      if (used[i] != 0) name[i] = joined.name(own[i]);
+    }
+    for_each_point(band, [&](PointId& p) {
+      if (p.index() >= vertices) p = name[p.index() - vertices];
+    });
+  }
+
+  void collect_splits() {
+    auto& splits = result_.splits;
+    for (const VisibleSegments& swept : swept_) {
+      splits.insert(splits.end(), swept.splits.begin(), swept.splits.end());
+      result_.statistics += swept.statistics;
+    }
+    tbb::parallel_sort(splits.begin(), splits.end());
+    splits.erase(std::unique(splits.begin(), splits.end()), splits.end());
+  }
+
+  // In the order in which they open; those of one point by band, and those of one band from left to right.
+  [[nodiscard]] std::vector<Opening> collect_swept() {
+    std::vector<Opening> all;
     new_name_.resize(swept_.size());
     for (std::size_t band = 0; band < swept_.size(); ++band) {
       const auto& segments = swept_[band].segments;
       new_name_[band].resize(segments.size());
-      const std::size_t begin = from_bands_.size();
       for (std::size_t s = 0; s < segments.size(); ++s) {
         if (is_of(segments[s].facet, BandId(band)))
-          from_bands_.push_back({segments[s], BandId(band), SegmentId(s), order(segments[s].end, segments[s].start)});
+          all.push_back({segments[s], BandId(band), SegmentId(s), order_(segments[s].end, segments[s].start)});
       }
-      std::inplace_merge(from_bands_.begin(), from_bands_.begin() + static_cast<std::ptrdiff_t>(begin),
-                         from_bands_.end(),
-                         [&](const Opening& a, const Opening& b) { return order(a.upper(), b.upper()); });
-      auto& splits = result_.splits;
-      splits.insert(splits.end(), swept_[band].splits.begin(), swept_[band].splits.end());
     }
-    std::ranges::sort(result_.splits);
-    result_.splits.erase(std::unique(result_.splits.begin(), result_.splits.end()), result_.splits.end());
-  }
-
-  [[nodiscard]] bool is_plain(FacetId f) const { return roles_[f.index()] == Role::plain; }
-
-  // What opens before point p, crossing by crossing, and what opens at p (invalid: all that is left).
-  void take_swept_through(PointId p) {
-    const SweepOrder order(scene_, result_);
-    for (; next_swept_ < from_bands_.size(); ++next_swept_) {
-      const Opening& opening = from_bands_[next_swept_];
-      if (p.valid() && order(p, opening.upper())) break;
-      if (!openings_.empty() && openings_.front().upper() != opening.upper()) place_openings();
-      openings_.push_back(opening);
-    }
-    if (!openings_.empty() && openings_.front().upper() != p) place_openings();
-  }
-
-  // Edges are sorted by their tops.
-  void open_plain_at(PointId p) {
-    for (; next_edge_ < scene_.edge_count() && scene_.edges[next_edge_].top == p; ++next_edge_) {
-      const EdgeId e(next_edge_);
-      if (continuation_.is_contour(e)) continue;
-      const auto& [left, right] = continuation_.across(e);
-      const PointId bottom = scene_.edge(e).bottom;
-      if (is_plain(left)) openings_.push_back({{bottom, p, left, right, e}, {}, {}, true});
-      if (is_plain(right)) openings_.push_back({{p, bottom, right, left, e}, {}, {}, false});
-    }
-  }
-
-  // From left to right; along one edge first what is left of it.
-  void place_openings() {
-    std::stable_sort(openings_.begin(), openings_.end(), [this](const Opening& a, const Opening& b) {
-      const Sign turn = directions_turn(a.segment.edge, b.segment.edge);
-      return turn != 0 ? turn > 0 : a.left_of_edge && !b.left_of_edge;
+    tbb::parallel_sort(all.begin(), all.end(), [this](const Opening& a, const Opening& b) {
+      if (a.upper() != b.upper()) return order_(a.upper(), b.upper());
+      return a.band != b.band ? a.band < b.band : a.swept < b.swept;
     });
-    for (const Opening& opening : openings_) place(opening);
-    openings_.clear();
+    return all;
   }
 
-  [[nodiscard]] Sign directions_turn(EdgeId a, EdgeId b) const {
-    if (a == b) return 0;
-    const auto direction = [this](EdgeId e) {
-      return ExactDecisions::direction(scene_.point(scene_.edge(e).top), scene_.point(scene_.edge(e).bottom));
-    };
-    return ExactDecisions::turn(direction(a), direction(b));
+  // Points by ranges, each by one thread. Nothing opens below all points.
+  void place_segments(const std::vector<Opening>& from_bands) {
+    const std::size_t points = scene_.points.size();
+    std::vector<std::vector<Opening>> parts(range_count(points));
+    parallel_for_ranges(points, [&](std::size_t range, std::size_t begin, std::size_t end) {
+      const auto first = begin == 0 ? from_bands.begin()
+                                    : std::ranges::upper_bound(from_bands, PointId(begin - 1), order_, &Opening::upper);
+      parts[range] =
+          OpeningsAtPoints(scene_, continuation_, roles_, order_, {first, from_bands.end()}).find(begin, end);
+    });
+    std::vector<std::size_t> placed_before{0};
+    for (const auto& part : parts) placed_before.push_back(placed_before.back() + part.size());
+    result_.segments.resize(placed_before.back());
+    parallel_for_each(parts.size(), 1, [&](std::size_t range) { place(parts[range], placed_before[range]); });
   }
 
-  void place(const Opening& opening) {
-    if (opening.band.valid())
-      new_name_[opening.band.index()][opening.swept.index()] = SegmentId(result_.segments.size());
-    result_.segments.push_back(opening.segment);
+  void place(const std::vector<Opening>& openings, std::size_t next) {
+    for (const Opening& opening : openings) {
+      if (opening.band.valid()) new_name_[opening.band.index()][opening.swept.index()] = SegmentId(next);
+      result_.segments[next++] = opening.segment;
+    }
   }
 
   void take_threads() {
@@ -213,8 +281,7 @@ class Joining {
         result_.threads.push_back(thread);
       }
     }
-    const SweepOrder order(scene_, result_);
-    std::ranges::stable_sort(result_.threads, order, &Thread::top);
+    std::ranges::stable_sort(result_.threads, order_, &Thread::top);
   }
 
   const ProjectedScene& scene_;
@@ -223,11 +290,8 @@ class Joining {
   const Bands& bands_;
   std::vector<VisibleSegments> swept_;            // per band
   std::vector<std::vector<SegmentId>> new_name_;  // per band and segment of its sweep
-  std::vector<Opening> from_bands_;               // in the order in which they open
-  std::vector<Opening> openings_;                 // at the current point
-  std::size_t next_swept_ = 0;
-  std::size_t next_edge_ = 0;
   VisibleSegments result_;
+  const SweepOrder order_;  // of the result's points
 };
 
 }  // namespace

@@ -62,10 +62,18 @@ class PartBuilder {
       scene.polygon_begin.resize(f.index() + 1, static_cast<std::uint32_t>(scene.polygon_corners.size()));
       for (ClippedCorner corner : whole_.polygon(f)) {
         corner.point = new_point(corner.point);
+        if (corner.made.valid()) corner.made = add_made(whole_.made(corner));
         scene.polygon_corners.push_back(corner);
       }
     }
     scene.polygon_begin.resize(whole_.status.size() + 1, static_cast<std::uint32_t>(scene.polygon_corners.size()));
+  }
+
+  // Of the corner that is added next.
+  MadeCornerId add_made(MadeCorner made) {
+    made.corner = static_cast<std::uint32_t>(part_.scene.polygon_corners.size());
+    part_.scene.made_corners.push_back(made);
+    return MadeCornerId(part_.scene.made_corners.size() - 1);
   }
 
   void add_edges() {

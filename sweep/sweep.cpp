@@ -25,7 +25,7 @@ class Sweep : private SweepState {
         directions_(scene),
         queue_(scene),
         active_(scene.edge_count()),
-        ranges_(Decisions::is_exact ? depth_ranges(scene) : std::vector<DepthRange>{}),
+        ranges_(Decisions::is_exact ? depth_ranges(mesh, scene) : std::vector<DepthRange>{}),
         depth_(mesh, scene, ranges_),
         recorder_(mesh, scene, depth_, result_) {}
 

@@ -3,17 +3,18 @@
 #include <algorithm>
 
 #include "geometry/facet_plane.h"
+#include "geometry/parallel.h"
 
 namespace sightline {
 
 void keep_surfaces_whole(const Mesh& mesh, const ProjectedScene& scene, std::vector<std::uint8_t>& hidden) {
-  for (std::size_t begin = 0; begin < hidden.size();) {
+  parallel_for_each(hidden.size(), [&](std::size_t begin) {
+    if (surface_of(mesh, FacetId(begin)) != FacetId(begin)) return;
     const std::size_t end = end_of_surface(mesh, FacetId(begin)).index();
     std::size_t seen = 0;
     for (std::size_t f = begin; f < end; ++f) seen += scene.status[f] == Status::in_view && hidden[f] == 0 ? 1 : 0;
     if (seen > 0) std::fill_n(hidden.begin() + static_cast<std::ptrdiff_t>(begin), end - begin, std::uint8_t{0});
-    begin = end;
-  }
+  });
 }
 
 }  // namespace sightline

@@ -77,7 +77,7 @@ struct Found {
       : continuation(scene),
         grid(scene.grid_bits, 5),
         cells(scene, continuation, grid, none(mesh)),
-        covers(find_covers(mesh, scene, depth_ranges(scene), continuation, grid, cells, none(mesh))) {}
+        covers(find_covers(mesh, scene, depth_ranges(mesh, scene), continuation, grid, cells, none(mesh))) {}
 
   [[nodiscard]] std::vector<Role> roles(const Mesh& mesh, const ProjectedScene& scene) const {
     return find_roles(mesh, scene, continuation, covers, grid, cells);
@@ -180,7 +180,7 @@ TEST_CASE("continuation: where edges of two sheets fall on each other, neither c
 TEST_CASE("large covers: what lies behind one large facet is hidden, what looks out is not") {
   const Mesh mesh = sheets({{1, 0.8, 1}, {2, 0.5, 8}, {3, 0.9, 8}});
   const ProjectedScene scene = seen_from_above(mesh);
-  const auto hidden = hidden_behind_large_facets(scene, depth_ranges(scene));
+  const auto hidden = hidden_behind_large_facets(scene, depth_ranges(mesh, scene));
   // Along the diagonal of the first sheet no single facet covers the cells.
   const auto of_sheet = [&](std::size_t begin, std::size_t end) {
     return count_of(

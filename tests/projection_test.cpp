@@ -82,7 +82,7 @@ TEST_CASE("no near plane: a face through the eye's plane is clipped at the windo
   for (const ClippedCorner& corner : scene.polygon(FacetId(0))) {
     CHECK(scene.point(corner.point).y >= -edge);
     CHECK(scene.point(corner.point).y < 0);
-    CHECK(corner.position.y == -1);
+    CHECK(position_of(mesh, scene, corner).y == -1);
   }
 }
 
@@ -128,11 +128,12 @@ TEST_CASE("neighbours are cut at the same point: a clipped mesh edge has one ima
   const ProjectedScene scene = project(mesh, straight_camera(), Sides::both);
   std::vector<const ClippedCorner*> cuts;
   for (const ClippedCorner& corner : scene.polygon_corners) {
-    if (corner.on_edge.valid() && mesh.edges[corner.on_edge.index()] == mesh.edges[mesh.facet_edges[0].index()]) {
+    const MeshEdgeId cut = scene.cut_edge(corner);
+    if (cut.valid() && mesh.edges[cut.index()] == mesh.edges[mesh.facet_edges[0].index()]) {
       cuts.push_back(&corner);
     }
   }
   REQUIRE(cuts.size() == 2);
   CHECK(cuts[0]->point == cuts[1]->point);
-  CHECK(cuts[0]->position == cuts[1]->position);
+  CHECK(scene.made(*cuts[0]).position == scene.made(*cuts[1]).position);
 }

@@ -203,7 +203,7 @@ TEST_CASE("node lists: of bars that overlap in a ring the lowest is topmost, and
   const Camera camera = orthographic_camera("above", {{0, 0, 10}, {0, 0, 0}, {0, 1, 0}, 1, {}, {}}, 16);
   const ProjectedScene scene = project(mesh, camera, Sides::both);
   const auto side = [](std::size_t f, int winding) { return EdgeSide{FacetId(f), winding, MeshEdgeId{}}; };
-  for (const std::vector<DepthRange>& ranges : {std::vector<DepthRange>{}, depth_ranges(scene)}) {
+  for (const std::vector<DepthRange>& ranges : {std::vector<DepthRange>{}, depth_ranges(mesh, scene)}) {
     DepthOrder depth(mesh, scene, ranges);
     for (std::size_t i = 0; i < 3; ++i) REQUIRE(depth.nearer(FacetId(1 + i), FacetId(1 + (i + 1) % 3)));
     for (std::size_t first = 0; first < 3; ++first) {

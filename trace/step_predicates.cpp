@@ -12,7 +12,7 @@ StepPredicates::StepPredicates(const Mesh& mesh, const SweepLog& log, const Scen
       log_(log),
       scene_(log.scene),
       names_(names),
-      ranges_(log.scene.arithmetic == Arithmetic::exact ? depth_ranges(log.scene) : std::vector<DepthRange>{}),
+      ranges_(log.scene.arithmetic == Arithmetic::exact ? depth_ranges(mesh, log.scene) : std::vector<DepthRange>{}),
       depth_(mesh, log.scene, ranges_),
       pieces_(mesh, log.scene) {}
 
