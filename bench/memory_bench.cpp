@@ -42,8 +42,14 @@ Camera camera_for(const Mesh& mesh) {
 
 std::size_t write_all(const Mesh& mesh, const View& view) {
   const std::vector<Point2> places = window_points(view);
-  return labelled_ply(view.labelled).size() + labelled_obj(view.labelled).size() + view_svg(mesh, view, places).size() +
-         segments_table(mesh, view, places).size();
+  std::size_t length = 0;
+  TextBuffer out([&](std::string_view piece) { length += piece.size(); });
+  write_labelled_ply(view.labelled, {}, out);
+  write_labelled_obj(view.labelled, {}, out);
+  write_view_svg(mesh, view, places, {}, out);
+  write_segments_table(mesh, view, places, out);
+  out.flush();
+  return length;
 }
 
 void measure(const std::string& name, const std::function<Mesh()>& make) {

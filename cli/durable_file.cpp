@@ -23,12 +23,15 @@ Descriptor create_file(const std::filesystem::path& path) {
   return file;
 }
 
-void write_durably(const Descriptor& file, std::string_view content, const std::filesystem::path& path) {
+void write_all(const Descriptor& file, std::string_view content, const std::filesystem::path& path) {
   while (!content.empty()) {
     const ssize_t written = write(file.number(), content.data(), content.size());
     if (written < 0 && errno != EINTR) fail_to_write(path, errno);
     if (written > 0) content.remove_prefix(static_cast<std::size_t>(written));
   }
+}
+
+void sync_file(const Descriptor& file, const std::filesystem::path& path) {
   if (fsync(file.number()) != 0) fail_to_write(path, errno);
 }
 

@@ -41,8 +41,11 @@ class Descriptor {
 // A new, empty file.
 [[nodiscard]] Descriptor create_file(const std::filesystem::path& path);
 
-// Returns when the content is on the disk. path is for messages.
-void write_durably(const Descriptor& file, std::string_view content, const std::filesystem::path& path);
+// path is for messages.
+void write_all(const Descriptor& file, std::string_view content, const std::filesystem::path& path);
+
+// Returns when what was written is on the disk.
+void sync_file(const Descriptor& file, const std::filesystem::path& path);
 
 // Returns when the names in the folder are on the disk, where the file system can do that.
 void sync_folder(const std::filesystem::path& folder);

@@ -1,12 +1,9 @@
 #include "cli/faces_table.h"
 
-#include "cli/text_buffer.h"
-
 namespace sightline {
 
-std::string faces_table(const std::vector<FaceMeasures>& faces, const std::vector<std::string>& panels) {
-  constexpr std::size_t usual_length = 100;
-  TextBuffer out(faces.size() * usual_length);
+void write_faces_table(const std::vector<FaceMeasures>& faces, const std::vector<std::string>& panels,
+                       TextBuffer& out) {
   out << "face,facing,area,in_view_area,visible_area,image_area,visible_image_area";
   for (const std::string& panel : panels) out << ",reflecting_area:" << panel;
   out << '\n';
@@ -17,7 +14,6 @@ std::string faces_table(const std::vector<FaceMeasures>& faces, const std::vecto
     for (const double area : face.reflecting_area) out << ',' << area;
     out << '\n';
   }
-  return out.take();
 }
 
 }  // namespace sightline

@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "cli/face_measures.h"
+#include "cli/text_buffer.h"
 
 namespace sightline {
 
 // panels: their names; per panel a column reflecting_area:NAME.
-[[nodiscard]] std::string faces_table(const std::vector<FaceMeasures>& faces,
-                                      const std::vector<std::string>& panels = {});
+void write_faces_table(const std::vector<FaceMeasures>& faces, const std::vector<std::string>& panels, TextBuffer& out);
 
 }  // namespace sightline

@@ -2,8 +2,6 @@
 
 #include <set>
 
-#include "cli/text_buffer.h"
-
 namespace sightline {
 
 namespace {
@@ -38,17 +36,13 @@ std::set<std::uint64_t> reflecting_of(const LabelledMesh& labelled, Label label)
 
 }  // namespace
 
-std::string labelled_obj(const LabelledMesh& labelled, const std::vector<std::string>& panels) {
-  constexpr std::size_t length_of_vertex = 36;
-  constexpr std::size_t length_of_triangle = 23;
-  TextBuffer out(labelled.vertices.size() * length_of_vertex + labelled.triangles.size() * length_of_triangle);
+void write_labelled_obj(const LabelledMesh& labelled, const std::vector<std::string>& panels, TextBuffer& out) {
   out << "# sightline: the refined surface, one group per label\n";
   for (const Point3& p : labelled.vertices) out << "v " << p.x << ' ' << p.y << ' ' << p.z << '\n';
   for (const Label label : {Label::back_facing, Label::out_of_view, Label::hidden, Label::visible}) {
     for (const std::uint64_t reflecting : reflecting_of(labelled, label))
       write_group(labelled, label, reflecting, panels, out);
   }
-  return out.take();
 }
 
 }  // namespace sightline

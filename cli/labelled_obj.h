@@ -7,10 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "cli/text_buffer.h"
 #include "reconstruct/labelled_mesh.h"
 
 namespace sightline {
 
-[[nodiscard]] std::string labelled_obj(const LabelledMesh& labelled, const std::vector<std::string>& panels = {});
+void write_labelled_obj(const LabelledMesh& labelled, const std::vector<std::string>& panels, TextBuffer& out);
 
 }  // namespace sightline

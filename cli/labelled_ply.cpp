@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <bit>
 #include <cstring>
+#include <string_view>
 
 namespace sightline {
 
@@ -52,20 +54,15 @@ char* put(char* at, const LabelledTriangle& triangle, std::size_t panels) {
   return at;
 }
 
-constexpr std::size_t vertex_bytes = std::size_t{3} * 8;
-constexpr std::size_t triangle_bytes_without_panels = 1 + std::size_t{3} * 4 + 4 + 1 + 1;
-
 }  // namespace
 
-std::string labelled_ply(const LabelledMesh& labelled, const std::vector<std::string>& panels) {
-  std::string out = header(labelled, panels);
-  const std::size_t triangle_bytes = triangle_bytes_without_panels + panels.size();
-  const std::size_t body = out.size();
-  out.resize(body + vertex_bytes * labelled.vertices.size() + triangle_bytes * labelled.triangles.size());
-  char* at = out.data() + body;
-  for (const Point3& p : labelled.vertices) at = put(at, p);
-  for (const LabelledTriangle& triangle : labelled.triangles) at = put(at, triangle, panels.size());
-  return out;
+void write_labelled_ply(const LabelledMesh& labelled, const std::vector<std::string>& panels, TextBuffer& out) {
+  out << header(labelled, panels);
+  std::array<char, 128> bytes;  // of a vertex, or of a triangle
+  static_assert(bytes.size() >= 1 + 3 * 4 + 4 + 1 + 1 + most_panels);
+  const auto append = [&](const char* end) { out << std::string_view(bytes.data(), end); };
+  for (const Point3& p : labelled.vertices) append(put(bytes.data(), p));
+  for (const LabelledTriangle& triangle : labelled.triangles) append(put(bytes.data(), triangle, panels.size()));
 }
 
 }  // namespace sightline

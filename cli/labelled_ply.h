@@ -8,10 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "cli/text_buffer.h"
 #include "reconstruct/labelled_mesh.h"
 
 namespace sightline {
 
-[[nodiscard]] std::string labelled_ply(const LabelledMesh& labelled, const std::vector<std::string>& panels = {});
+void write_labelled_ply(const LabelledMesh& labelled, const std::vector<std::string>& panels, TextBuffer& out);
 
 }  // namespace sightline

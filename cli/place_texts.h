@@ -15,8 +15,7 @@ namespace sightline {
 class PlaceTexts {
  public:
   explicit PlaceTexts(const std::vector<Point2>& places) {
-    constexpr std::size_t usual_length = 22;
-    TextBuffer text(2 * places.size() * usual_length);
+    TextBuffer text;
     begin_.reserve(2 * places.size() + 1);
     for (const Point2& place : places) {
       for (const double coordinate : {place.x, place.y}) {

@@ -74,6 +74,11 @@ void ResultFolders::make_folder(const std::string& name) {
 }
 
 void ResultFolders::write(const std::string& name, const std::string& file, std::string_view content) {
+  write(name, file, [&](TextBuffer& out) { out << content; });
+}
+
+void ResultFolders::write(const std::string& name, const std::string& file,
+                          const std::function<void(TextBuffer&)>& write_text) {
   const fs::path path = staging_.fresh() / name / file;
   Descriptor opened;
   {
@@ -81,7 +86,10 @@ void ResultFolders::write(const std::string& name, const std::string& file, std:
     make_folder(name);
     opened = create_file(path);
   }
-  write_durably(opened, content, path);
+  TextBuffer out([&](std::string_view piece) { write_all(opened, piece, path); });
+  write_text(out);
+  out.flush();
+  sync_file(opened, path);
 }
 
 void ResultFolders::write_beside(const std::string& file, std::string_view content) {
@@ -93,7 +101,8 @@ void ResultFolders::write_beside(const std::string& file, std::string_view conte
     opened = create_file(path);
     files_.insert(file);
   }
-  write_durably(opened, content, path);
+  write_all(opened, content, path);
+  sync_file(opened, path);
 }
 
 void ResultFolders::require_place_beside(const std::string& file) const { require_file_or_nothing(parent_ / file); }

@@ -14,6 +14,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -21,6 +22,7 @@
 
 #include "cli/replacement.h"
 #include "cli/staging_folder.h"
+#include "cli/text_buffer.h"
 
 namespace sightline {
 
@@ -31,6 +33,8 @@ class ResultFolders {
 
   // Makes the folder at its first file. Returns when the file is on the disk.
   void write(const std::string& name, const std::string& file, std::string_view content);
+  // What `write_text` appends, while it does.
+  void write(const std::string& name, const std::string& file, const std::function<void(TextBuffer&)>& write_text);
 
   // A file beside the folders. Returns when it is on the disk.
   void write_beside(const std::string& file, std::string_view content);

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "cli/place_texts.h"
-#include "cli/text_buffer.h"
 
 namespace sightline {
 
@@ -43,9 +42,7 @@ void write_edge(const Mesh& mesh, MeshEdgeId edge, TextBuffer& out) {
 
 }  // namespace
 
-std::string segments_table(const Mesh& mesh, const View& view, const std::vector<Point2>& places) {
-  constexpr std::size_t usual_length = 110;
-  TextBuffer out(view.segments.segments.size() * usual_length);
+void write_segments_table(const Mesh& mesh, const View& view, const std::vector<Point2>& places, TextBuffer& out) {
   const PlaceTexts texts(places);
   out << "face,start_x,start_y,end_x,end_y,edge,other_face\n";
   for (const VisibleSegment& segment : view.segments.segments) {
@@ -56,7 +53,6 @@ std::string segments_table(const Mesh& mesh, const View& view, const std::vector
     if (segment.other.valid()) out << face_of(mesh, segment.other).value;
     out << '\n';
   }
-  return out.take();
 }
 
 }  // namespace sightline

@@ -8,12 +8,13 @@
 #include <string>
 #include <vector>
 
+#include "cli/text_buffer.h"
 #include "geometry/mesh.h"
 #include "sightline/analyze.h"
 
 namespace sightline {
 
 // places: window_points(view).
-[[nodiscard]] std::string segments_table(const Mesh& mesh, const View& view, const std::vector<Point2>& places);
+void write_segments_table(const Mesh& mesh, const View& view, const std::vector<Point2>& places, TextBuffer& out);
 
 }  // namespace sightline

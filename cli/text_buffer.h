@@ -1,10 +1,14 @@
-// A growing text: numbers are appended without locale, allocation or format strings, because writing must not take
-// longer than computing.
+// A text that grows: numbers are appended without locale, allocation or format strings, because writing must not take longer
+// than computing.
+//
+// In:  where the text goes: nowhere (take() has all of it), or to a sink, in pieces, so that a large one is never in memory
+//      as a whole and each piece is written while it is in the processor's cache.
 #pragma once
 
-#include <array>
 #include <charconv>
 #include <cstdint>
+#include <cstring>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -12,16 +16,19 @@ namespace sightline {
 
 class TextBuffer {
  public:
-  // expected: so many characters are written about. A guess that is too low costs time, one that is too high nothing but
-  // addresses.
-  explicit TextBuffer(std::size_t expected = 0) { text_.reserve(expected); }
+  using Sink = std::function<void(std::string_view)>;
+
+  explicit TextBuffer(Sink sink = {}) : sink_(std::move(sink)), text_(piece_length + longest_number, '\0') {}
 
   TextBuffer& operator<<(std::string_view text) {
-    text_.append(text);
+    make_room(text.size());
+    std::memcpy(end(), text.data(), text.size());
+    length_ += text.size();
     return *this;
   }
   TextBuffer& operator<<(char c) {
-    text_.push_back(c);
+    make_room(1);
+    text_[length_++] = c;
     return *this;
   }
   TextBuffer& operator<<(std::uint64_t value) { return append(value); }
@@ -29,19 +36,50 @@ class TextBuffer {
   // The shortest text that reads back as the same double: at most 17 significant digits.
   TextBuffer& operator<<(double value) { return append(value); }
 
-  [[nodiscard]] std::size_t size() const { return text_.size(); }
-  [[nodiscard]] std::string take() { return std::move(text_); }
+  // Hands on what the sink has not got yet. To be called at the end: a sink may throw.
+  void flush() {
+    if (!sink_) return;
+    sink_(std::string_view(text_.data(), length_));
+    length_ = 0;
+  }
+
+  // So far. Of a text that goes to no sink.
+  [[nodiscard]] std::size_t size() const { return length_; }
+  [[nodiscard]] std::string take() {
+    text_.resize(length_);
+    return std::move(text_);
+  }
 
  private:
+  static constexpr std::size_t piece_length = std::size_t{1} << 16;
+  static constexpr std::size_t longest_number = 32;
+
   template <class Number>
   TextBuffer& append(Number value) {
-    std::array<char, 32> digits;
-    const auto result = std::to_chars(digits.data(), digits.data() + digits.size(), value);
-    text_.append(digits.data(), result.ptr);
+    make_room(longest_number);
+    length_ = static_cast<std::size_t>(std::to_chars(end(), end() + longest_number, value).ptr - text_.data());
     return *this;
   }
 
-  std::string text_;
+  [[nodiscard]] char* end() { return text_.data() + length_; }
+
+  void make_room(std::size_t length) {
+    if (text_.size() - length_ >= length) return;
+    flush();
+    if (text_.size() - length_ < length) text_.resize(2 * text_.size() + length);
+  }
+
+  Sink sink_;
+  std::string text_;  // as long as there is room
+  std::size_t length_ = 0;
 };
+
+// What `write` appends.
+template <class Write>
+[[nodiscard]] std::string text_of(const Write& write) {
+  TextBuffer out;
+  write(out);
+  return out.take();
+}
 
 }  // namespace sightline

@@ -141,10 +141,8 @@ void write_panel(const View& view, const std::string& name, std::size_t number, 
 
 }  // namespace
 
-std::string view_svg(const Mesh& mesh, const View& view, const std::vector<Point2>& places,
-                     const std::vector<std::string>& panels) {
-  constexpr std::size_t usual_length = 210;
-  TextBuffer out(view.polygons.polygons.size() * usual_length);
+void write_view_svg(const Mesh& mesh, const View& view, const std::vector<Point2>& places,
+                    const std::vector<std::string>& panels, TextBuffer& out) {
   const PlaceTexts texts(places);
   out << header(view.scene.camera, view.polygons.polygons.size());
   for_each_polygon(view.polygons, [&](const VisiblePolygon& polygon, std::size_t occurrence) {
@@ -152,7 +150,6 @@ std::string view_svg(const Mesh& mesh, const View& view, const std::vector<Point
   });
   for (std::size_t p = 0; p < panels.size(); ++p) write_panel(view, panels[p], p, texts, out);
   out << "</g>\n</svg>\n";
-  return out.take();
 }
 
 }  // namespace sightline

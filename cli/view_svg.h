@@ -9,13 +9,14 @@
 #include <string>
 #include <vector>
 
+#include "cli/text_buffer.h"
 #include "geometry/mesh.h"
 #include "sightline/analyze.h"
 
 namespace sightline {
 
 // places: window_points(view). panels: the names of all panels; none: without their layers.
-[[nodiscard]] std::string view_svg(const Mesh& mesh, const View& view, const std::vector<Point2>& places,
-                                   const std::vector<std::string>& panels = {});
+void write_view_svg(const Mesh& mesh, const View& view, const std::vector<Point2>& places,
+                    const std::vector<std::string>& panels, TextBuffer& out);
 
 }  // namespace sightline

@@ -98,11 +98,15 @@ const double triangle = shoelace({O, P, Q});
 const double triangle_visible = shoelace({O, F, D, C, I, Q}) + shoelace({P, H, G});
 constexpr double square_units = 4.0 / 256;  // the window's area over Fang's square
 
+std::string svg_of(const Mesh& mesh, const View& view) {
+  return text_of([&](TextBuffer& out) { write_view_svg(mesh, view, window_points(view), {}, out); });
+}
+
 }  // namespace
 
 TEST_CASE("labelled.ply gives back every vertex and triangle bit for bit") {
   const LabelledMesh labelled = two_triangles();
-  const std::string ply = labelled_ply(labelled);
+  const std::string ply = text_of([&](TextBuffer& out) { write_labelled_ply(labelled, {}, out); });
   const std::string end = "end_header\n";
   std::size_t at = ply.find(end) + end.size();
   const std::string header = ply.substr(0, at);
@@ -134,7 +138,7 @@ TEST_CASE("labelled.obj gives back every vertex, and the triangles by label") {
   std::vector<double> coordinates;
   std::map<std::string, std::vector<std::string>> groups;
   std::string group;
-  for (const std::string& line : lines_of(labelled_obj(labelled))) {
+  for (const std::string& line : lines_of(text_of([&](TextBuffer& out) { write_labelled_obj(labelled, {}, out); }))) {
     const auto words = split(line, ' ');
     if (words[0] == "v") {
       for (std::size_t i = 1; i < 4; ++i) coordinates.push_back(number(words[i]));
@@ -158,7 +162,7 @@ TEST_CASE("labelled.obj gives back every vertex, and the triangles by label") {
 
 TEST_CASE("faces.csv reads back as the measures, and Fang's areas are those of his polygons") {
   const Analysed fang_view = fang();
-  const auto lines = lines_of(faces_table(fang_view.faces));
+  const auto lines = lines_of(text_of([&](TextBuffer& out) { write_faces_table(fang_view.faces, {}, out); }));
   CHECK(lines[0] == "face,facing,area,in_view_area,visible_area,image_area,visible_image_area");
   REQUIRE(lines.size() == 3);
   for (std::size_t f = 0; f < 2; ++f) {
@@ -206,14 +210,16 @@ TEST_CASE("a face that is partly in view or skipped has the measures of its part
     CHECK(measures[0].image_area == 2);
     CHECK(measures[0].visible_image_area == 2);
     CHECK(measures[1].facing == FaceFacing::skipped);
-    CHECK(lines_of(faces_table(measures))[2] == "1,skipped,0,0,0,0,0");
+    CHECK(lines_of(text_of([&](TextBuffer& out) { write_faces_table(measures, {}, out); }))[2] ==
+          "1,skipped,0,0,0,0,0");
   }
 }
 
 TEST_CASE("segments.csv has Fang's fourteen segments, and each runs along its mesh edge") {
   const Analysed fang_view = fang();
   const View& view = fang_view.analysis.view;
-  const auto lines = lines_of(segments_table(fang_view.input.mesh, view, window_points(view)));
+  const auto lines = lines_of(
+      text_of([&](TextBuffer& out) { write_segments_table(fang_view.input.mesh, view, window_points(view), out); }));
   CHECK(lines[0] == "face,start_x,start_y,end_x,end_y,edge,other_face");
   REQUIRE(lines.size() == 15);
   std::map<std::string, int> faces;
@@ -242,7 +248,7 @@ TEST_CASE("view.svg is well-formed and has one path per visible polygon, with di
        {std::pair<const char*, std::size_t>{"fang/scene.toml", 0}, {"demo/scene.toml", 2}}) {
     const Analysed analysed_view = analysed(file, camera);
     const View& view = analysed_view.analysis.view;
-    const std::string svg = view_svg(analysed_view.input.mesh, view, window_points(view));
+    const std::string svg = svg_of(analysed_view.input.mesh, view);
     const auto elements = sightline::testing::read_xml(svg);
     std::set<std::string> ids;
     std::size_t paths = 0;
@@ -264,7 +270,7 @@ TEST_CASE("a camera's name cannot break the SVG") {
   const Analysed fang_view = fang();
   View view = fang_view.analysis.view;
   view.scene.camera.name = "a&b</title><script>";
-  const std::string svg = view_svg(fang_view.input.mesh, view, window_points(view));
+  const std::string svg = svg_of(fang_view.input.mesh, view);
   for (const auto& element : sightline::testing::read_xml(svg)) CHECK(element.name != "script");
 }
 
