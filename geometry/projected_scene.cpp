@@ -137,7 +137,9 @@ class SceneBuilder {
         }
       }
     });
+    scene_.vertex_weights.resize(in_view.size());
     for (std::size_t v = 0; v < in_view.size(); ++v) {
+      scene_.vertex_weights[v] = projected_[v].w;
       if (in_view[v] != 0) places_.push_back({projected_[v].image, static_cast<std::uint32_t>(v), true});
     }
   }
@@ -285,11 +287,6 @@ class SceneBuilder {
 };
 
 }  // namespace
-
-double weight_of(const Mesh& mesh, const ProjectedScene& scene, const ClippedCorner& corner) {
-  if (!corner.vertex.valid()) return scene.made(corner).w;
-  return project_vertex(mesh, corner.vertex, scene.camera, scene.grid_bits).w;
-}
 
 ProjectedScene project(const Mesh& mesh, const Camera& camera, Sides sides, const Precision& precision) {
   return SceneBuilder(mesh, camera, sides, precision).build();

@@ -70,7 +70,7 @@ struct ClippedCorner {
 // A corner where clipping cut a facet's border.
 struct MadeCorner {
   Point3 position;           // in input coordinates
-  double w = 1;              // W of the camera (1 where orthographic): perspective weight
+  double weight = 1;         // its W of the camera
   MeshEdgeId on_edge;        // invalid: inside the facet
   FacetId facet;             // whose corner it is
   std::uint32_t corner = 0;  // its number among polygon_corners
@@ -94,6 +94,7 @@ struct ProjectedScene {
   std::vector<std::uint32_t> polygon_begin;  // per facet and one more, into polygon_corners
   std::vector<ClippedCorner> polygon_corners;
   std::vector<MadeCorner> made_corners;
+  std::vector<double> vertex_weights;  // per vertex in the view volume its W of the camera (1 where orthographic)
 
   [[nodiscard]] std::size_t edge_count() const { return edges.empty() ? 0 : edges.size() - 1; }
   [[nodiscard]] const SceneEdge& edge(EdgeId e) const { return edges[e.index()]; }
@@ -121,8 +122,10 @@ struct ProjectedScene {
   return corner.vertex.valid() ? mesh.position(corner.vertex) : scene.made(corner).position;
 }
 
-// A corner's W of the camera (1 where orthographic): its perspective weight.
-[[nodiscard]] double weight_of(const Mesh& mesh, const ProjectedScene& scene, const ClippedCorner& corner);
+// A corner's W of the camera: its perspective weight.
+[[nodiscard]] inline double weight_of(const ProjectedScene& scene, const ClippedCorner& corner) {
+  return corner.vertex.valid() ? scene.vertex_weights[corner.vertex.index()] : scene.made(corner).weight;
+}
 
 [[nodiscard]] ProjectedScene project(const Mesh& mesh, const Camera& camera, Sides sides,
                                      const Precision& precision = {});

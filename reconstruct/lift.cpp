@@ -37,7 +37,7 @@ struct LiftedCorner {
 };
 
 LiftedCorner lifted(const Mesh& mesh, const ProjectedScene& scene, const ClippedCorner& corner) {
-  return {position_of(mesh, scene, corner), weight_of(mesh, scene, corner)};
+  return {position_of(mesh, scene, corner), weight_of(scene, corner)};
 }
 
 // The point at image fraction s between a and b: perspective weights turn it into the fraction on the edge.

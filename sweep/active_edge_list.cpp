@@ -109,6 +109,7 @@ void ActiveEdgeList::update_visibility(BundleId b) {
 }
 
 void ActiveEdgeList::visibility_changed(BundleId b) {
+  if (entry(b).visible == entry(b).bundle.visible()) return;
   entry(b).visible = entry(b).bundle.visible();
   update_visibility(b);
 }

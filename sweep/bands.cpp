@@ -107,7 +107,34 @@ class BandMaker {
   Bands result_;
 };
 
+// So many open facets make up for what a band costs.
+constexpr std::size_t open_facets_in_a_band = 10000;
+// What reaches from one band into the next is swept twice: so many times higher than a facet should a band be.
+constexpr double band_height_in_facets = 20;
+// But so many bands are shared out at any price.
+constexpr std::size_t bands_at_any_price = 4;
+
+unsigned rows_of(std::span<const FacetCell> cells, const CellGrid& grid) {
+  if (cells.empty()) return 0;
+  const auto [low, high] = std::ranges::minmax(cells, {}, &FacetCell::cell);
+  return high.cell() / grid.side() - low.cell() / grid.side() + 1;
+}
+
 }  // namespace
+
+std::size_t band_count(const std::vector<Role>& roles, const CellGrid& grid, const FacetCells& cells) {
+  std::atomic<std::size_t> open = 0;
+  std::atomic<std::size_t> rows = 0;
+  parallel_for_each(roles.size(), [&](std::size_t f) {
+    if (roles[f] != Role::open) return;
+    open.fetch_add(1, std::memory_order_relaxed);
+    rows.fetch_add(rows_of(cells.of(FacetId(f)), grid), std::memory_order_relaxed);
+  });
+  if (open == 0) return 1;
+  const double mean_rows = static_cast<double>(rows) / static_cast<double>(open);
+  const auto by_height = static_cast<std::size_t>(grid.side() / (band_height_in_facets * std::max(mean_rows, 1.0)));
+  return std::min(1 + open / open_facets_in_a_band, std::max(bands_at_any_price, by_height));
+}
 
 Bands make_bands(const Mesh& mesh, const std::vector<Role>& roles, const CellGrid& grid, const FacetCells& cells,
                  std::size_t count) {

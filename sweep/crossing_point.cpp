@@ -17,24 +17,44 @@ Sign compare_coordinate(std::int64_t base_difference, Int128 offset_a, Int128 de
   return sign_of(Wide256(Wide256(base_difference) * da * db + Wide256(offset_a) * db - Wide256(offset_b) * da));
 }
 
-}  // namespace
+// How far along the first edge the edges cross.
+struct Share {
+  Int128 numerator;
+  Int128 denominator;  // > 0
+};
 
-CrossingPoint crossing_point(const ImagePoint& top_a, const ImagePoint& bottom_a, const ImagePoint& top_b,
-                             const ImagePoint& bottom_b) {
-  const std::int64_t ax = bottom_a.x - top_a.x;
-  const std::int64_t ay = bottom_a.y - top_a.y;
+Share share_of_first(const ImagePoint& top_a, const ImagePoint& bottom_a, const ImagePoint& top_b,
+                     const ImagePoint& bottom_b) {
   const std::int64_t bx = bottom_b.x - top_b.x;
   const std::int64_t by = bottom_b.y - top_b.y;
-  Int128 denominator = cross(ax, ay, bx, by);
+  Int128 denominator = cross(bottom_a.x - top_a.x, bottom_a.y - top_a.y, bx, by);
   Int128 numerator = cross(top_b.x - top_a.x, top_b.y - top_a.y, bx, by);
   if (denominator < 0) {
     denominator = -denominator;
     numerator = -numerator;
   }
-  CrossingPoint c{top_a, ax * numerator, ay * numerator, denominator, 0, 0};
-  c.x = static_cast<double>(top_a.x) + static_cast<double>(c.offset_x) / static_cast<double>(denominator);
-  c.y = static_cast<double>(top_a.y) + static_cast<double>(c.offset_y) / static_cast<double>(denominator);
+  return {numerator, denominator};
+}
+
+double rounded(std::int64_t base, Int128 offset, Int128 denominator) {
+  return static_cast<double>(base) + static_cast<double>(offset) / static_cast<double>(denominator);
+}
+
+}  // namespace
+
+CrossingPoint crossing_point(const ImagePoint& top_a, const ImagePoint& bottom_a, const ImagePoint& top_b,
+                             const ImagePoint& bottom_b) {
+  const auto [numerator, denominator] = share_of_first(top_a, bottom_a, top_b, bottom_b);
+  CrossingPoint c{top_a, (bottom_a.x - top_a.x) * numerator, (bottom_a.y - top_a.y) * numerator, denominator, 0, 0};
+  c.x = rounded(top_a.x, c.offset_x, denominator);
+  c.y = rounded(top_a.y, c.offset_y, denominator);
   return c;
+}
+
+double crossing_height(const ImagePoint& top_a, const ImagePoint& bottom_a, const ImagePoint& top_b,
+                       const ImagePoint& bottom_b) {
+  const auto [numerator, denominator] = share_of_first(top_a, bottom_a, top_b, bottom_b);
+  return rounded(top_a.y, (bottom_a.y - top_a.y) * numerator, denominator);
 }
 
 int sweep_compare(const CrossingPoint& crossing, const ImagePoint& point) {

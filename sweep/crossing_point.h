@@ -36,6 +36,10 @@ constexpr double crossing_order_bound = 2 * crossing_error + 0x1p-11;
 [[nodiscard]] CrossingPoint crossing_point(const ImagePoint& top_a, const ImagePoint& bottom_a, const ImagePoint& top_b,
                                            const ImagePoint& bottom_b);
 
+// The same point's y.
+[[nodiscard]] double crossing_height(const ImagePoint& top_a, const ImagePoint& bottom_a, const ImagePoint& top_b,
+                                     const ImagePoint& bottom_b);
+
 // Sweep order: -1 where the first comes first, 0 where they are one point.
 [[nodiscard]] int sweep_compare(const CrossingPoint& crossing, const ImagePoint& point);
 [[nodiscard]] int sweep_compare(const CrossingPoint& a, const CrossingPoint& b);

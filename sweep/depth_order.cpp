@@ -13,8 +13,7 @@ DepthOrder::DepthOrder(const Mesh& mesh, const ProjectedScene& scene, std::span<
       eye_(scene.camera.eye),
       facing_(scene.facing),
       pieces_(mesh, scene),
-      ranges_(ranges),
-      planes_(mesh.whole_count()) {}
+      ranges_(ranges) {}
 
 // A mesh that was not cut has its facets whole.
 WholeId DepthOrder::whole_of(FacetId f) const {
@@ -117,16 +116,13 @@ Sign DepthOrder::side_towards_eye(WholeId plane, VertexId v) {
   for (const VertexId corner : corners(plane)) {
     if (mesh_.weld[corner.index()] == welded) return 0;
   }
-  const auto& [a, b, c] = plane_of(plane);
+  const auto [a, b, c] = plane_of(plane);
   return orientation(a, b, c, {mesh_.position(v), 1});
 }
 
-const std::array<VertexId, 3>& DepthOrder::plane_of(WholeId w) {
-  std::array<VertexId, 3>& plane = planes_[w.index()];
-  if (!plane[0].valid()) {
-    plane = plane_corners(mesh_, first_facet(w));
-    if (is_turned(w)) std::swap(plane[1], plane[2]);
-  }
+std::array<VertexId, 3> DepthOrder::plane_of(WholeId w) const {
+  std::array<VertexId, 3> plane = plane_corners(mesh_, first_facet(w));
+  if (is_turned(w)) std::swap(plane[1], plane[2]);
   return plane;
 }
 

@@ -68,7 +68,7 @@ class DepthOrder {
   [[nodiscard]] bool covers(WholeId f, VertexId v);
   void add_edge_crossings(WholeId f, WholeId g, Evidence& evidence);
   // Three corners, so turned that the eye sees them counter-clockwise.
-  [[nodiscard]] const std::array<VertexId, 3>& plane_of(WholeId w);
+  [[nodiscard]] std::array<VertexId, 3> plane_of(WholeId w) const;
   [[nodiscard]] Sign side_towards_eye(WholeId plane, VertexId v);
   [[nodiscard]] Sign seen_orientation(VertexId a, VertexId b, VertexId c);
   [[nodiscard]] Sign orientation(VertexId a, VertexId b, VertexId c, const HomogeneousPoint& d);
@@ -79,8 +79,6 @@ class DepthOrder {
   const std::vector<Facing>& facing_;
   PieceOrder pieces_;
   const std::span<const DepthRange> ranges_;
-  // Per whole, once it was asked for.
-  std::vector<std::array<VertexId, 3>> planes_;
   predicates::Counts counts_;
   std::uint64_t comparisons_ = 0;
 };

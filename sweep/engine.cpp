@@ -66,13 +66,6 @@ int level_for(const ProjectedScene& scene, const Continuation& continuation, con
   return level;
 }
 
-// Not a matter of threads: the statistics count what is swept, and at the borders of bands some of it is swept twice.
-constexpr std::ptrdiff_t open_facets_in_a_band = 10000;
-
-std::size_t bands_for(const std::vector<Role>& roles) {
-  return 1 + static_cast<std::size_t>(std::ranges::count(roles, Role::open) / open_facets_in_a_band);
-}
-
 // Tells an observer where the sweeps of several bands are in the whole: how far all of them are together.
 class BandObservers {
  public:
@@ -116,20 +109,21 @@ class BandObservers {
 };
 
 VisibleSegments swept_band(const Mesh& mesh, const ProjectedScene& scene, const Continuation& continuation,
-                           std::span<const FacetId> facets, BandObservers& observers) {
+                           std::span<const DepthRange> depths, std::span<const FacetId> facets,
+                           BandObservers& observers) {
   const ScenePart part = part_of(scene, continuation, facets);
   observers.expect(part.point.size());
   BandObservers::Band observer(observers, part);
-  return in_whole(scene, part, sweep(mesh, part.scene, observers.is_watched() ? &observer : nullptr));
+  return in_whole(scene, part, sweep(mesh, part.scene, depths, observers.is_watched() ? &observer : nullptr));
 }
 
 std::vector<VisibleSegments> swept_bands(const Mesh& mesh, const ProjectedScene& scene,
-                                         const Continuation& continuation, const Bands& bands,
-                                         SweepObserver* observer) {
+                                         const Continuation& continuation, std::span<const DepthRange> depths,
+                                         const Bands& bands, SweepObserver* observer) {
   BandObservers observers(scene, observer);
   std::vector<VisibleSegments> swept(bands.swept.size());
   parallel_for_each(swept.size(), 1, [&](std::size_t band) {
-    swept[band] = swept_band(mesh, scene, continuation, bands.swept[band], observers);
+    swept[band] = swept_band(mesh, scene, continuation, depths, bands.swept[band], observers);
   });
   return swept;
 }
@@ -147,8 +141,8 @@ VisibleSegments fast_visible_segments(const Mesh& mesh, const ProjectedScene& sc
   const FacetCells cells(scene, continuation, grid, behind_large);
   const Covers covers = find_covers(mesh, scene, depths, continuation, grid, cells, behind_large);
   const std::vector<Role> roles = find_roles(mesh, scene, continuation, covers, grid, cells);
-  const Bands bands = make_bands(mesh, roles, grid, cells, options.bands.value_or(bands_for(roles)));
-  std::vector<VisibleSegments> swept = swept_bands(mesh, scene, continuation, bands, observer);
+  const Bands bands = make_bands(mesh, roles, grid, cells, options.bands.value_or(band_count(roles, grid, cells)));
+  std::vector<VisibleSegments> swept = swept_bands(mesh, scene, continuation, depths, bands, observer);
   return join_segments(scene, continuation, roles, bands, std::move(swept));
 }
 

@@ -36,11 +36,17 @@ struct ExactDecisions {
                         const ImagePoint& bottom_b) {
     return crossing_point(top_a, bottom_a, top_b, bottom_b);
   }
+  // The y of a place, rounded.
+  static double crossing_height(const ImagePoint& top_a, const ImagePoint& bottom_a, const ImagePoint& top_b,
+                                const ImagePoint& bottom_b) {
+    return sightline::crossing_height(top_a, bottom_a, top_b, bottom_b);
+  }
+  static double height(const ImagePoint& p) { return static_cast<double>(p.y); }
   // Sweep order: -1 where the first comes first, 0 where they are one point.
   static int compare(const Place& a, const ImagePoint& b) { return sweep_compare(a, b); }
   static int compare(const Place& a, const Place& b) { return sweep_compare(a, b); }
-  // By the rounded y of places alone; 0 where that does not decide.
-  static int compare_rounded(double a, double b) {
+  // By heights alone; 0 where these do not decide.
+  static int compare_heights(double a, double b) {
     const double apart = b - a;
     return std::fabs(apart) > crossing_order_bound ? (apart > 0 ? 1 : -1) : 0;
   }
@@ -76,13 +82,18 @@ struct UnfilteredDecisions {
     const Real along_a = cross(minus(place(top_b), a), v) / cross(u, v);
     return {a.x + along_a * u.x, a.y + along_a * u.y};
   }
+  static double crossing_height(const ImagePoint& top_a, const ImagePoint& bottom_a, const ImagePoint& top_b,
+                                const ImagePoint& bottom_b) {
+    return crossing(top_a, bottom_a, top_b, bottom_b).y;
+  }
+  static double height(const ImagePoint& p) { return place(p).y; }
   // Of places that are numbers.
   static int compare(const Place& a, const Place& b) {
     if (a.y != b.y) return a.y > b.y ? -1 : 1;
     return a.x < b.x ? -1 : (a.x > b.x ? 1 : 0);
   }
   static int compare(const Place& a, const ImagePoint& b) { return compare(a, place(b)); }
-  static int compare_rounded(double a, double b) { return a > b ? -1 : (a < b ? 1 : 0); }
+  static int compare_heights(double a, double b) { return a > b ? -1 : (a < b ? 1 : 0); }
   static bool is_number(const Place& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 
  private:

@@ -71,12 +71,37 @@ std::vector<FacetId> top_cycle_of(const std::vector<FacetId>& facets, DepthOrder
 
 }  // namespace
 
-// One pass over the list, however many facets change: thousands of edges may coincide.
 void NodeList::cross(std::span<const EdgeSide> sides, DepthOrder& depth) {
-  Changes changes = changes_of(sides);
+  fingerprint_ += fingerprint_of(sides);
   bool stays = is_topmost_nearest_ && topmost_.valid();
-  for (const Node& change : changes)
-    fingerprint_ += static_cast<std::uint64_t>(static_cast<std::int64_t>(change.winding)) * mix(change.facet.value);
+  stays = sides.size() == 1 ? cross_one(sides.front(), stays, depth) : cross_all(sides, stays, depth);
+  if (!stays) find_topmost(depth);
+}
+
+std::uint64_t NodeList::fingerprint_of(std::span<const EdgeSide> sides) {
+  std::uint64_t sum = 0;
+  for (const EdgeSide& side : sides)
+    sum += static_cast<std::uint64_t>(static_cast<std::int64_t>(side.winding)) * mix(side.facet.value);
+  return sum;
+}
+
+// stays: whether the topmost facet stays what it is where it does not leave and nothing nearer enters. Both return whether
+// that is so.
+bool NodeList::cross_one(const EdgeSide& side, bool stays, DepthOrder& depth) {
+  const auto found = std::ranges::find(nodes_, side.facet, &Node::facet);
+  if (found == nodes_.end()) {
+    insert({side.facet, side.winding}, depth);
+    return stays && depth.nearer(topmost_, side.facet);
+  }
+  found->winding += side.winding;
+  if (found->winding != 0) return stays;
+  nodes_.erase(found);
+  return stays && side.facet != topmost_;
+}
+
+// One pass over the list, however many facets change: thousands of edges may coincide.
+bool NodeList::cross_all(std::span<const EdgeSide> sides, bool stays, DepthOrder& depth) {
+  Changes changes = changes_of(sides);
   for (Node& node : nodes_) {
     if (Node* change = change_of(node.facet, changes)) node.winding += std::exchange(change->winding, 0);
     stays = stays && (node.winding != 0 || node.facet != topmost_);
@@ -87,7 +112,7 @@ void NodeList::cross(std::span<const EdgeSide> sides, DepthOrder& depth) {
     insert(entering, depth);
     stays = stays && depth.nearer(topmost_, entering.facet);
   }
-  if (!stays) find_topmost(depth);
+  return stays;
 }
 
 void NodeList::insert(const Node& node, const DepthOrder& depth) {

@@ -47,12 +47,20 @@ class NodeList {
     return nodes_.size() == other.nodes_.size() && fingerprint_ == other.fingerprint_;
   }
 
+  // Whether crossing edges with these sides makes the other list of this one, with the same certainty. O(s).
+  [[nodiscard]] bool leads_to(const NodeList& other, std::span<const EdgeSide> sides) const {
+    return fingerprint_ + fingerprint_of(sides) == other.fingerprint_;
+  }
+
  private:
+  [[nodiscard]] static std::uint64_t fingerprint_of(std::span<const EdgeSide> sides);
+  [[nodiscard]] bool cross_one(const EdgeSide& side, bool stays, DepthOrder& depth);
+  [[nodiscard]] bool cross_all(std::span<const EdgeSide> sides, bool stays, DepthOrder& depth);
   void insert(const Node& node, const DepthOrder& depth);
   void find_topmost(DepthOrder& depth);
   [[nodiscard]] bool is_nearest(std::size_t node, DepthOrder& depth) const;
 
-  boost::container::small_vector<Node, 4> nodes_;
+  boost::container::small_vector<Node, 8> nodes_;
   FacetId topmost_;
   bool is_topmost_nearest_ = true;  // than all others; as nothing is, where the list is empty
   std::uint64_t fingerprint_ = 0;   // the sum over facets of winding * a hash of the facet

@@ -32,7 +32,9 @@ void SegmentRecorder::look_below(std::span<const BundleId> below, const NodeList
     Bundle& bundle = active[b];
     bundle.left_segment = {};
     bundle.right_segment = {};
-    if (surface_of(mesh_, before->topmost()) != surface_of(mesh_, bundle.right.topmost())) {
+    const FacetId left_facet = before->topmost();
+    const FacetId right_facet = bundle.right.topmost();
+    if (left_facet != right_facet && surface_of(mesh_, left_facet) != surface_of(mesh_, right_facet)) {
       bundle.left_segment = wanted(bundle.edge_span(), *before, bundle.right);
       bundle.right_segment = wanted(bundle.edge_span(), bundle.right, *before);
     }

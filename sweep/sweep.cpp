@@ -18,15 +18,14 @@ namespace {
 template <class Decisions>
 class Sweep : private SweepState {
  public:
-  Sweep(const Mesh& mesh, const ProjectedScene& scene, SweepObserver* observer)
+  Sweep(const Mesh& mesh, const ProjectedScene& scene, std::span<const DepthRange> depths, SweepObserver* observer)
       : scene_(scene),
         observer_(observer),
         input_(mesh, scene),
         directions_(scene),
         queue_(scene),
         active_(scene.edge_count()),
-        ranges_(Decisions::is_exact ? depth_ranges(mesh, scene) : std::vector<DepthRange>{}),
-        depth_(mesh, scene, ranges_),
+        depth_(mesh, scene, depths),
         recorder_(mesh, scene, depth_, result_) {}
 
   VisibleSegments run() {
@@ -35,6 +34,7 @@ class Sweep : private SweepState {
       arrange_below();
       replace_in_active_list();
       update_node_lists();
+      erase_left_over();
       recorder_.at(name_of_point(), above_segments_, below_, left_list(), active_);
       queue_crossings();
       count();
@@ -140,41 +140,57 @@ class Sweep : private SweepState {
     });
   }
 
-  // The entries of the bundles above are used again for those below.
+  // The entries of the bundles above are used again for those below: the last one for the last, since the list right of it
+  // stays.
   void replace_in_active_list() {
-    old_right_list_ = above_.empty() ? NodeList{} : std::move(active_[above_.back()].right);
     below_.clear();
     BundleId left = left_neighbour_;
     for (std::size_t begin = 0; begin < edges_below_.size();) {
       std::size_t end = begin + 1;
       while (end < edges_below_.size() && directions_.turn(edges_below_[begin], edges_below_[end]) == 0) ++end;
-      const BundleId b = below_.size() < above_.size() ? above_[below_.size()] : active_.insert_after(left);
-      active_.set_edges(b, std::span(edges_below_).subspan(begin, end - begin));
-      below_.push_back(b);
-      left = b;
+      left = entry_below(left, end == edges_below_.size());
+      active_.set_edges(left, std::span(edges_below_).subspan(begin, end - begin));
+      below_.push_back(left);
       begin = end;
     }
-    for (std::size_t i = below_.size(); i < above_.size(); ++i) active_.erase(above_[i]);
+  }
+
+  [[nodiscard]] BundleId entry_below(BundleId left, bool is_last) {
+    if (!above_.empty() && is_last) return above_.back();
+    return below_.size() + 1 < above_.size() ? above_[below_.size()] : active_.insert_after(left);
+  }
+
+  void erase_left_over() {
+    if (above_.empty()) return;
+    for (std::size_t i = below_.empty() ? 0 : below_.size() - 1; i + 1 < above_.size(); ++i) active_.erase(above_[i]);
+    if (below_.empty()) active_.erase(above_.back());
   }
 
   // Right of a bundle = left of it, minus the facets that leave, plus those that enter. The last span is the one that
   // was there before.
   void update_node_lists() {
-    NodeList list = left_list();
-    if (above_.empty()) old_right_list_ = list;
+    const NodeList* list = &left_list();
+    const NodeList& last = above_.empty() ? left_list() : active_[above_.back()].right;
+    check(right_neighbour_.valid() || last.nodes().empty(), "the node list right of the last bundle is not empty");
     for (const BundleId b : below_) {
-      for (const EdgeId e : active_[b].edges)
-        sides_.insert(sides_.end(), scene_.sides_of(e).begin(), scene_.sides_of(e).end());
-      list.cross(sides_, depth_);
-      sides_.clear();
-      note_order(list);
-      if (b != below_.back()) active_[b].right = list;
+      collect_sides(active_[b]);
+      if (b == below_.back()) break;
+      NodeList& right = active_[b].right;
+      right = *list;
+      right.cross(sides_, depth_);
+      note_order(right);
+      list = &right;
     }
-    check(list.same_contents(old_right_list_), "the node lists around the point do not agree");
-    check(right_neighbour_.valid() || old_right_list_.nodes().empty(),
-          "the node list right of the last bundle is not empty");
-    check(list.topmost() == old_right_list_.topmost(), "equal node lists have different topmost facets");
-    if (!below_.empty()) active_[below_.back()].right = std::move(old_right_list_);
+    check(below_.empty() ? list->same_contents(last) : list->leads_to(last, sides_),
+          "the node lists around the point do not agree");
+    check(!below_.empty() || list->topmost() == last.topmost(), "equal node lists have different topmost facets");
+    if (above_.empty() && !below_.empty()) active_[below_.back()].right = left_list();
+  }
+
+  void collect_sides(const Bundle& bundle) {
+    sides_.clear();
+    for (const EdgeId e : bundle.edges)
+      sides_.insert(sides_.end(), scene_.sides_of(e).begin(), scene_.sides_of(e).end());
   }
 
   // Over the span left of the point.
@@ -208,18 +224,17 @@ class Sweep : private SweepState {
     const bool cross = a_end < b_end ? side_of(active_[right], scene_.point(a_end)) > 0
                                      : b_end < a_end && side_of(active_[left], scene_.point(b_end)) < 0;
     if (!cross) return;
-    const auto place = Decisions::crossing(scene_.point(scene_.edge(a).top), scene_.point(a_end),
-                                           scene_.point(scene_.edge(b).top), scene_.point(b_end));
     if constexpr (!Decisions::is_exact) {
+      const auto place = place_of<Decisions>(scene_, {0, a, b});
       check(Decisions::is_number(place), "two edges that cross are parallel");
       check(is_ahead(place), "two edges cross at or above the sweep line");
     }
-    queue_.add({place, a, b});
+    queue_.add(a, b);
   }
 
   [[nodiscard]] bool is_ahead(const typename Decisions::Place& place) const {
     return point_.vertex.valid() ? Decisions::compare(place, scene_.point(point_.vertex)) > 0
-                                 : Decisions::compare(place, point_.crossings.front().point) > 0;
+                                 : Decisions::compare(place, place_of<Decisions>(scene_, point_.crossings.front())) > 0;
   }
 
   // Whoever reads the result finds a crossing by its edges, so they have to cross. Exact decisions are right.
@@ -253,12 +268,12 @@ class Sweep : private SweepState {
     observer_->look(*this);
   }
 
-  [[nodiscard]] SweepPlace here() const override { return place_in_window(scene_, point_); }
+  [[nodiscard]] SweepPlace here() const override { return place_in_window<Decisions>(scene_, point_); }
   [[nodiscard]] std::vector<SweepPlace> upcoming(std::size_t at_most) const override {
     EventQueue<Decisions> rest = queue_;
     std::vector<SweepPlace> places;
-    SweepPoint<typename Decisions::Place> point;
-    while (places.size() < at_most && rest.next(point)) places.push_back(place_in_window(scene_, point));
+    SweepPoint point;
+    while (places.size() < at_most && rest.next(point)) places.push_back(place_in_window<Decisions>(scene_, point));
     return places;
   }
   [[nodiscard]] const ActiveEdgeList& active() const override { return active_; }
@@ -282,13 +297,12 @@ class Sweep : private SweepState {
   const EdgeDirections<Decisions> directions_;
   EventQueue<Decisions> queue_;
   ActiveEdgeList active_;
-  const std::vector<DepthRange> ranges_;
   DepthOrder depth_;
   VisibleSegments result_;
   SegmentRecorder recorder_;
 
   // Of the current sweep point:
-  SweepPoint<typename Decisions::Place> point_;
+  SweepPoint point_;
   BundleId left_neighbour_, right_neighbour_;
   BundleId marked_;  // one of the bundles with edges that end or cross here
   std::size_t marked_count_ = 0;
@@ -297,17 +311,22 @@ class Sweep : private SweepState {
   std::vector<EdgeId> edges_below_;
   std::vector<EdgeSide> sides_;
   const NodeList nothing_;
-  NodeList old_right_list_;
 };
 
 }  // namespace
 
 VisibleSegments sweep(const Mesh& mesh, const ProjectedScene& scene, SweepObserver* observer) {
-  if (scene.arithmetic == Arithmetic::exact) return Sweep<ExactDecisions>(mesh, scene, observer).run();
+  const bool is_exact = scene.arithmetic == Arithmetic::exact;
+  return sweep(mesh, scene, is_exact ? depth_ranges(mesh, scene) : std::vector<DepthRange>{}, observer);
+}
+
+VisibleSegments sweep(const Mesh& mesh, const ProjectedScene& scene, std::span<const DepthRange> depths,
+                      SweepObserver* observer) {
+  if (scene.arithmetic == Arithmetic::exact) return Sweep<ExactDecisions>(mesh, scene, depths, observer).run();
   return with_invariants_of(scene.arithmetic, [&] {
     return scene.arithmetic == Arithmetic::single_precision
-               ? Sweep<UnfilteredDecisions<float>>(mesh, scene, observer).run()
-               : Sweep<UnfilteredDecisions<double>>(mesh, scene, observer).run();
+               ? Sweep<UnfilteredDecisions<float>>(mesh, scene, depths, observer).run()
+               : Sweep<UnfilteredDecisions<double>>(mesh, scene, depths, observer).run();
   });
 }
 

@@ -17,6 +17,7 @@
 
 #include "geometry/mesh.h"
 #include "geometry/projected_scene.h"
+#include "sweep/depth_ranges.h"
 #include "sweep/visible_segments.h"
 
 namespace sightline {
@@ -43,5 +44,9 @@ class SweepObserver {
 };
 
 [[nodiscard]] VisibleSegments sweep(const Mesh& mesh, const ProjectedScene& scene, SweepObserver* observer = nullptr);
+
+// depths: as depth_ranges(mesh, scene) gives them for the facets in view, where they are known already.
+[[nodiscard]] VisibleSegments sweep(const Mesh& mesh, const ProjectedScene& scene, std::span<const DepthRange> depths,
+                                    SweepObserver* observer);
 
 }  // namespace sightline

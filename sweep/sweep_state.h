@@ -2,8 +2,7 @@
 //
 // In:  a sweep calls SweepObserver::look with its state. Out: where the sweep is, what comes next, the active edge list
 //      with its node lists, and the visible segments so far.
-// Holds: during the call only. A segment that is open lacks its end (its start where it runs upwards). A sweep that
-//      begins anew (sweep.h) counts its sweep points from 1 again.
+// Holds: during the call only. A segment that is open lacks its end (its start where it runs upwards).
 // Complexity: upcoming copies the crossings that wait; the rest is O(1). Nothing is computed that is not asked for.
 #pragma once
 
@@ -39,13 +38,14 @@ class SweepState {
   [[nodiscard]] virtual const VisibleSegments& so_far() const = 0;
 };
 
-template <class Place>
-[[nodiscard]] SweepPlace place_in_window(const ProjectedScene& scene, const SweepPoint<Place>& point) {
+template <class Decisions>
+[[nodiscard]] SweepPlace place_in_window(const ProjectedScene& scene, const SweepPoint& point) {
   const double scale = std::ldexp(1.0, -scene.grid_bits);
   const auto scaled = [&](const auto& p) {
     return SweepPlace{point.vertex, static_cast<double>(p.x) * scale, static_cast<double>(p.y) * scale, {}};
   };
-  SweepPlace place = point.vertex.valid() ? scaled(scene.point(point.vertex)) : scaled(point.crossings.front().point);
+  SweepPlace place = point.vertex.valid() ? scaled(scene.point(point.vertex))
+                                          : scaled(place_of<Decisions>(scene, point.crossings.front()));
   for (const auto& crossing : point.crossings) place.crossings.push_back({crossing.a, crossing.b});
   return place;
 }

@@ -3,7 +3,9 @@
 #include <doctest/doctest.h>
 
 #include <array>
+#include <cmath>
 
+#include "geometry/parallel.h"
 #include "tests/engine_comparison.h"
 #include "tests/oracle/crossing_scenes.h"
 #include "tests/oracle/judge.h"
@@ -149,6 +151,32 @@ TEST_CASE("engines: faces that pass through each other, not cut along their comm
     CHECK(engine_differences(surfaces.mesh, scene, {options_of(seed)}, tally) == "");
   }
   CHECK(4 * tally.swept < 3 * tally.points);
+}
+
+// A sheet of squares in waves, over another one. Where it hides itself and at its border facets are open, else plain.
+TEST_CASE("engines: several times as many points as a thread takes in a row") {
+  constexpr int squares = 150;
+  std::vector<testing::Corners> faces;
+  for (int i = 0; i < 2 * squares * squares; ++i) {
+    const int x = i % squares;
+    const int y = i / squares % squares;
+    const auto corner = [&](int u, int v) {
+      return Point3{static_cast<double>(u), static_cast<double>(v),
+                    3 * std::sin(0.2 * u + 0.1 * v) - (i < squares * squares ? 0.0 : 9.0)};
+    };
+    faces.push_back({corner(x, y), corner(x + 1, y), corner(x + 1, y + 1)});
+    faces.push_back({corner(x, y), corner(x + 1, y + 1), corner(x, y + 1)});
+  }
+  const Mesh mesh = testing::mesh_of(faces);
+  ViewPoint view;
+  view.eye = {60, -60, 40};
+  view.target = {75, 75, 0};
+  view.up = {0, 0, 1};
+  const ProjectedScene scene = project(mesh, perspective_camera("along the sheet", view, 60), Sides::both);
+  REQUIRE(scene.points.size() > 2 * items_per_range);
+  EngineTally tally;
+  CHECK(engine_differences(mesh, scene, {{7, 1}, {7, 7}}, tally) == "");
+  CHECK(2 * tally.swept < tally.points);
 }
 
 TEST_CASE("engines: surfaces that overlap only because their image is rounded") {

@@ -88,6 +88,22 @@ TEST_CASE("crossing points: order and rounding, against rationals, at both ends 
   CHECK(equal > 20);
 }
 
+TEST_CASE("the height of a crossing is the crossing's y") {
+  INFO("seed ", seed);
+  std::mt19937 random(seed);
+  int crossings = 0;
+  while (crossings < 1000) {
+    const std::array<ImagePoint, 4> p{
+        random_point(random, std::int64_t{1} << 40), random_point(random, std::int64_t{1} << 40),
+        random_point(random, std::int64_t{1} << 40), random_point(random, std::int64_t{1} << 40)};
+    const bool cross = orientation(p[0], p[1], p[2]) * orientation(p[0], p[1], p[3]) < 0 &&
+                       orientation(p[2], p[3], p[0]) * orientation(p[2], p[3], p[1]) < 0;
+    if (!cross) continue;
+    CHECK(crossing_height(p[0], p[1], p[2], p[3]) == crossing_point(p[0], p[1], p[2], p[3]).y);
+    ++crossings;
+  }
+}
+
 TEST_CASE("a crossing does not depend on the order of its edges") {
   const ImagePoint a{0, 10};
   const ImagePoint b{7, -3};
@@ -184,6 +200,30 @@ TEST_CASE("node lists: the same contents and the same topmost facet whatever the
   turned.cross(std::array{enter(0), leave(1)}, depth);
   CHECK(turned.topmost() == FacetId(0));
   CHECK(turned.nodes().size() == 1);
+  // What sides lead to is told without going there.
+  CHECK(turned.leads_to(NodeList{}, std::array{leave(0)}));
+  CHECK_FALSE(turned.leads_to(NodeList{}, std::array{enter(0)}));
+  CHECK_FALSE(turned.leads_to(NodeList{}, {}));
+  CHECK(turned.leads_to(list, std::array{enter(1), enter(2)}));
+}
+
+TEST_CASE("a facet that is smaller than the grid is a sweep point without edges, alone and over another facet") {
+  const testing::Corners speck{{0.3, 0.7, 1}, {0.3005, 0.7, 1}, {0.3, 0.7005, 1}};
+  const testing::Corners below{{-1, -1, 0}, {1, -1, 0}, {0, 1.5, 0}};
+  const Precision coarse{Arithmetic::exact, smallest_grid_bits};
+  const Mesh alone = testing::mesh_of({speck});
+  const ProjectedScene point = project(alone, from_above(), Sides::both, coarse);
+  REQUIRE(point.points.size() == 1);
+  REQUIRE(point.edge_count() == 0);
+  const VisibleSegments nothing = sweep(alone, point);
+  CHECK(nothing.statistics.sweep_points == 1);
+  CHECK(nothing.segments.empty());
+  const Mesh both = testing::mesh_of({speck, below});
+  const ProjectedScene scene = project(both, from_above(), Sides::both, coarse);
+  REQUIRE(scene.points.size() == 4);
+  const VisibleSegments segments = sweep(both, scene);
+  CHECK(segments.statistics.sweep_points == 4);
+  CHECK(segments.segments.size() == 3);
 }
 
 TEST_CASE("node lists: of bars that overlap in a ring the lowest is topmost, and of two of them the nearer one") {
