@@ -3,146 +3,13 @@
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
-#include <tuple>
 
 #include "geometry/parallel.h"
-#include "geometry/sort_few.h"
-#include "sweep/crossing_point.h"
-#include "sweep/image_decisions.h"
+#include "sweep/joined_crossings.h"
+#include "sweep/openings.h"
 
 namespace sightline {
 namespace {
-
-// A segment where it opens.
-struct Opening {
-  VisibleSegment segment;
-  BandId band;      // invalid: of a plain facet
-  SegmentId swept;  // its number in the band's sweep
-  bool left_of_edge = false;
-
-  // Left of its edge a segment runs upwards.
-  [[nodiscard]] PointId upper() const { return left_of_edge ? segment.end : segment.start; }
-};
-
-auto key_of(const Crossing& c) { return std::tuple(c.after, c.a, c.b); }
-
-// The crossings that what is used of all bands has as its points, in sweep order, each once.
-class JoinedCrossings {
- public:
-  JoinedCrossings(const ProjectedScene& scene, const std::vector<Crossing>& crossings)
-      : vertices_(scene.points.size()) {
-    std::vector<Placed> placed;
-    for (const Crossing& c : crossings) {
-      const SceneEdge& a = scene.edge(c.a);
-      const SceneEdge& b = scene.edge(c.b);
-      placed.push_back(
-          {c, crossing_point(scene.point(a.top), scene.point(a.bottom), scene.point(b.top), scene.point(b.bottom))});
-    }
-    std::ranges::sort(placed, [](const Placed& x, const Placed& y) {
-      if (x.crossing.after != y.crossing.after) return x.crossing.after < y.crossing.after;
-      return sweep_compare(x.place, y.place) < 0;
-    });
-    for (const Placed& p : placed) {
-      if (!crossings_.empty() && key_of(crossings_.back()) == key_of(p.crossing)) continue;
-      index_.emplace_back(key_of(p.crossing), crossings_.size());
-      crossings_.push_back(p.crossing);
-    }
-    std::ranges::sort(index_);
-  }
-
-  [[nodiscard]] PointId name(const Crossing& c) const {
-    const auto found = std::ranges::lower_bound(index_, key_of(c), {}, &std::pair<Key, std::size_t>::first);
-    return PointId(vertices_ + found->second);
-  }
-  [[nodiscard]] const std::vector<Crossing>& all() const { return crossings_; }
-
- private:
-  using Key = std::tuple<PointId, EdgeId, EdgeId>;
-  struct Placed {
-    Crossing crossing;
-    CrossingPoint place;
-  };
-
-  std::size_t vertices_;
-  std::vector<Crossing> crossings_;
-  std::vector<std::pair<Key, std::size_t>> index_;
-};
-
-// The segments that open at some of the scene's points, in a row, and at crossings between them, in their order.
-class OpeningsAtPoints {
- public:
-  // from_bands: in the order in which they open, those of one point and one band from left to right already; from the
-  // first that may open at the points on.
-  OpeningsAtPoints(const ProjectedScene& scene, const Continuation& continuation, const std::vector<Role>& roles,
-                   const SweepOrder& order, std::span<const Opening> from_bands)
-      : scene_(scene), continuation_(continuation), roles_(roles), order_(order), from_bands_(from_bands) {}
-
-  std::vector<Opening> find(std::size_t begin, std::size_t end) {
-    const auto edges = std::span(scene_.edges).first(scene_.edge_count());
-    next_edge_ =
-        static_cast<std::size_t>(std::ranges::lower_bound(edges, PointId(begin), {}, &SceneEdge::top) - edges.begin());
-    for (std::size_t p = begin; p < end; ++p) {
-      take_swept_through(PointId(p));
-      open_plain_at(PointId(p));
-      place_here();
-    }
-    return std::move(placed_);
-  }
-
- private:
-  // What opens before point p, crossing by crossing, and what opens at p.
-  void take_swept_through(PointId p) {
-    for (; next_swept_ < from_bands_.size(); ++next_swept_) {
-      const Opening& opening = from_bands_[next_swept_];
-      if (order_(p, opening.upper())) break;
-      if (!here_.empty() && here_.front().upper() != opening.upper()) place_here();
-      here_.push_back(opening);
-    }
-    if (!here_.empty() && here_.front().upper() != p) place_here();
-  }
-
-  // Edges are sorted by their tops.
-  void open_plain_at(PointId p) {
-    for (; next_edge_ < scene_.edge_count() && scene_.edges[next_edge_].top == p; ++next_edge_) {
-      const EdgeId e(next_edge_);
-      if (continuation_.is_contour(e)) continue;
-      const auto& [left, right] = continuation_.across(e);
-      const PointId bottom = scene_.edge(e).bottom;
-      if (is_plain(left)) here_.push_back({{bottom, p, left, right, e}, {}, {}, true});
-      if (is_plain(right)) here_.push_back({{p, bottom, right, left, e}, {}, {}, false});
-    }
-  }
-
-  [[nodiscard]] bool is_plain(FacetId f) const { return roles_[f.index()] == Role::plain; }
-
-  // From left to right; along one edge first what is left of it.
-  void place_here() {
-    sort_few(std::span(here_), [this](const Opening& a, const Opening& b) {
-      const Sign turn = directions_turn(a.segment.edge, b.segment.edge);
-      return turn != 0 ? turn > 0 : a.left_of_edge && !b.left_of_edge;
-    });
-    placed_.insert(placed_.end(), here_.begin(), here_.end());
-    here_.clear();
-  }
-
-  [[nodiscard]] Sign directions_turn(EdgeId a, EdgeId b) const {
-    if (a == b) return 0;
-    const auto direction = [this](EdgeId e) {
-      return ExactDecisions::direction(scene_.point(scene_.edge(e).top), scene_.point(scene_.edge(e).bottom));
-    };
-    return ExactDecisions::turn(direction(a), direction(b));
-  }
-
-  const ProjectedScene& scene_;
-  const Continuation& continuation_;
-  const std::vector<Role>& roles_;
-  const SweepOrder& order_;
-  const std::span<const Opening> from_bands_;
-  std::size_t next_swept_ = 0;
-  std::size_t next_edge_ = 0;
-  std::vector<Opening> here_;  // at the current point
-  std::vector<Opening> placed_;
-};
 
 class Joining {
  public:
@@ -258,8 +125,7 @@ class Joining {
     parallel_for_ranges(points, [&](std::size_t range, std::size_t begin, std::size_t end) {
       const auto first = begin == 0 ? from_bands.begin()
                                     : std::ranges::upper_bound(from_bands, PointId(begin - 1), order_, &Opening::upper);
-      parts[range] =
-          OpeningsAtPoints(scene_, continuation_, roles_, order_, {first, from_bands.end()}).find(begin, end);
+      parts[range] = openings_at(scene_, continuation_, roles_, order_, {first, from_bands.end()}, begin, end);
     });
     std::vector<std::size_t> placed_before{0};
     for (const auto& part : parts) placed_before.push_back(placed_before.back() + part.size());

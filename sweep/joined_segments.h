@@ -2,8 +2,7 @@
 //
 // In:  what the sweep of each band has found, in the ids of the whole; the roles of facets.
 // Out: what the sweep of the whole finds, in the same order; the statistics are sums over the bands.
-// Holds: only what a band's sweep says of its own open facets is used. Where several bands name a crossing, they give it
-//      the same name (segment_recorder.h).
+// Holds: only what a band's sweep says of its own open facets is used.
 // Complexity: O(n log n).
 #pragma once
 

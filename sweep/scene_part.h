@@ -2,6 +2,7 @@
 //
 // In:  a projected scene, where its surface continues, and the facets to keep, by their ids.
 // Out: a valid projected scene of these. Facets keep their ids; points and edges are numbered anew, in the same order.
+//      Vertices have no weights, which no sweep asks for.
 //      in_whole() gives what the sweep of the part has found in the ids of the whole.
 // Complexity: O(n), of which all but the m facets that are kept cost a few bytes each.
 #pragma once

@@ -121,6 +121,8 @@ const std::vector<Breakage<ProjectedScene>> broken_scenes{
     {"edges: an end is no point", [](ProjectedScene& s) { s.edges[0].bottom = PointId(99); }},
     {"sides: no such facet", [](ProjectedScene& s) { s.sides[0].facet = FacetId(99); }},
     {"polygon_corners: no such point", [](ProjectedScene& s) { s.polygon_corners[0].point = PointId(99); }},
+    {"polygon_corners: neither a vertex nor made", [](ProjectedScene& s) { s.polygon_corners[0].vertex = {}; }},
+    {"made by clipping, or both", [](ProjectedScene& s) { s.polygon_corners[0].made = MadeCornerId(0); }},
     {"point 0 is outside the window", [](ProjectedScene& s) { s.points[0].y = (std::int64_t{1} << 40) + 1; }},
     {"point 1 does not follow", [](ProjectedScene& s) { s.points[1] = s.points[0]; }},
     {"edge 0 has its top not before", [](ProjectedScene& s) { std::swap(s.edges[0].top, s.edges[0].bottom); }},
