@@ -8,9 +8,8 @@
 
 #include "geometry/clipping.h"
 #include "geometry/facet_plane.h"
-#include "geometry/grouping.h"
 #include "geometry/parallel.h"
-#include "geometry/sort_few.h"
+#include "geometry/scene_edges.h"
 #include "geometry/unfiltered.h"
 #include "geometry/vertex_projection.h"
 
@@ -79,7 +78,7 @@ class SceneBuilder {
     find_statuses();
     add_corners();
     number_points();
-    collect_edges();
+    collect_edges(scene_);
     return std::move(scene_);
   }
 
@@ -223,59 +222,6 @@ class SceneBuilder {
     });
     std::partial_sum(before.begin(), before.end(), before.begin());
     return before;
-  }
-
-  // A side of a facet: the edge after one of its corners.
-  struct PlacedSide {
-    PointId bottom;
-    std::uint32_t corner = 0;
-    FacetId facet;
-  };
-
-  static constexpr auto by_bottom = [](const PlacedSide& a, const PlacedSide& b) {
-    return a.bottom != b.bottom ? a.bottom < b.bottom : a.corner < b.corner;
-  };
-
-  // Calls visit(top, side); edges whose ends fall on one point are none.
-  template <class Visit>
-  void for_each_side(const Visit& visit) const {
-    parallel_for_each(mesh_.facet_count(), [&](std::size_t f) {
-      const std::uint32_t first = scene_.polygon_begin[f];
-      const auto polygon = scene_.polygon(FacetId(f));
-      for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const PointId from = polygon[i].point;
-        const PointId to = polygon[i + 1 == polygon.size() ? 0 : i + 1].point;
-        if (from != to)
-          visit(std::min(from, to).index(),
-                PlacedSide{std::max(from, to), static_cast<std::uint32_t>(first + i), FacetId(f)});
-      }
-    });
-  }
-
-  void collect_edges() {
-    Grouping<PlacedSide> sides(scene_.points.size(), [this](const auto& visit) { for_each_side(visit); });
-    scene_.sides.resize(sides.item_count());
-    std::vector<std::vector<SceneEdge>> edges(range_count(scene_.points.size()));
-    parallel_for_ranges(scene_.points.size(), [&](std::size_t range, std::size_t first, std::size_t end) {
-      for (std::size_t p = first; p < end; ++p) {
-        sort_few(sides.of(p), by_bottom);
-        add_sides(PointId(p), sides.of(p), sides.items_before(p), edges[range]);
-      }
-    });
-    for (const auto& part : edges) scene_.edges.insert(scene_.edges.end(), part.begin(), part.end());
-    scene_.edges.push_back({PointId{}, PointId{}, static_cast<std::uint32_t>(scene_.sides.size())});
-  }
-
-  // first: the number of the first of these sides. The boundary of a facet that is counter-clockwise in the image runs
-  // down its left border: there the winding grows from left to right.
-  void add_sides(PointId top, std::span<const PlacedSide> sides, std::size_t first, std::vector<SceneEdge>& edges) {
-    for (std::size_t i = 0; i < sides.size(); ++i) {
-      const PlacedSide& side = sides[i];
-      if (i == 0 || sides[i - 1].bottom != side.bottom)
-        edges.push_back({top, side.bottom, static_cast<std::uint32_t>(first + i)});
-      const ClippedCorner& corner = scene_.polygon_corners[side.corner];
-      scene_.sides[first + i] = {side.facet, corner.point == top ? 1 : -1, corner.edge_after};
-    }
   }
 
   const Mesh& mesh_;

@@ -3,13 +3,12 @@
 #include <tbb/enumerable_thread_specific.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 
-#include "geometry/grouping.h"
 #include "geometry/parallel.h"
 #include "sweep/depth_order.h"
 #include "sweep/facet_outline.h"
+#include "sweep/facets_by_cell.h"
 #include "sweep/whole_surfaces.h"
 
 namespace sightline {
@@ -17,36 +16,6 @@ namespace {
 
 // After so many sheets over a cell's centre that do not cover it, no more are tried.
 constexpr std::size_t most_failures = 4;
-
-// Per cell how many facets may be over its centre, up to two.
-std::vector<std::uint8_t> count_over_centre(const FacetCells& cells, const CellGrid& grid, std::size_t facets) {
-  std::vector<std::uint8_t> count(grid.cell_count(), 0);
-  parallel_for_each(facets, [&](std::size_t f) {
-    for (const FacetCell& cell : cells.of(FacetId(f))) {
-      std::atomic_ref of_cell(count[cell.cell()]);
-      std::uint8_t before = of_cell.load(std::memory_order_relaxed);
-      while (cell.over_centre() && before < 2 && !of_cell.compare_exchange_weak(before, before + 1)) continue;
-    }
-  });
-  return count;
-}
-
-struct CellFacet {
-  FacetId facet;
-  bool over_centre = false;
-};
-
-// Per cell with several facets over its centre the facets that touch it.
-Grouping<CellFacet> facets_by_cell(const FacetCells& cells, const std::vector<std::uint8_t>& over_centre,
-                                   std::size_t facets) {
-  return Grouping<CellFacet>(over_centre.size(), [&](const auto& visit) {
-    parallel_for_each(facets, [&](std::size_t f) {
-      for (const FacetCell& cell : cells.of(FacetId(f))) {
-        if (over_centre[cell.cell()] > 1) visit(cell.cell(), CellFacet{FacetId(f), cell.over_centre()});
-      }
-    });
-  });
-}
 
 // Whether an edge certainly misses a square: its line passes the centre further away than the corners are. The products are
 // off by less than 2^-50 of their absolute values.
