@@ -74,10 +74,12 @@ class SceneBuilder {
     scene_.grid_bits = precision.grid_bits;
   }
 
+  // What is no longer asked for makes room for what comes next.
   ProjectedScene build() {
     find_statuses();
     add_corners();
     number_points();
+    places_ = {};
     collect_edges(scene_);
     return std::move(scene_);
   }
@@ -137,10 +139,12 @@ class SceneBuilder {
       }
     });
     scene_.vertex_weights.resize(in_view.size());
+    places_.reserve(places_.size() + static_cast<std::size_t>(std::ranges::count(in_view, 1)));
     for (std::size_t v = 0; v < in_view.size(); ++v) {
       scene_.vertex_weights[v] = projected_[v].w;
       if (in_view[v] != 0) places_.push_back({projected_[v].image, static_cast<std::uint32_t>(v), true});
     }
+    projected_ = {};
   }
 
   // Per range of facets, the number of the first corner that clipping made there.

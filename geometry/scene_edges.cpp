@@ -49,6 +49,18 @@ void add_sides(PointId top, std::span<const PlacedSide> placed, std::size_t firs
   }
 }
 
+// And one more, which only ends the sides.
+void put_together(std::vector<std::vector<SceneEdge>>& parts, ProjectedScene& scene) {
+  std::size_t count = 1;
+  for (const auto& part : parts) count += part.size();
+  scene.edges.reserve(count);
+  for (auto& part : parts) {
+    scene.edges.insert(scene.edges.end(), part.begin(), part.end());
+    part = {};
+  }
+  scene.edges.push_back({PointId{}, PointId{}, static_cast<std::uint32_t>(scene.sides.size())});
+}
+
 }  // namespace
 
 void collect_edges(ProjectedScene& scene) {
@@ -61,8 +73,7 @@ void collect_edges(ProjectedScene& scene) {
       add_sides(PointId(p), placed.of(p), placed.items_before(p), edges[range], scene);
     }
   });
-  for (const auto& part : edges) scene.edges.insert(scene.edges.end(), part.begin(), part.end());
-  scene.edges.push_back({PointId{}, PointId{}, static_cast<std::uint32_t>(scene.sides.size())});
+  put_together(edges, scene);
 }
 
 }  // namespace sightline

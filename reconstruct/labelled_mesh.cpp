@@ -18,15 +18,16 @@ void for_each_vertex_from(std::size_t first, std::vector<LabelledTriangle>& tria
 }
 
 // The new vertices of the parts follow each other.
-LabelledMesh put_together(const LabelSources& from, std::vector<LabelledPart>& parts) {
-  LabelledMesh all{from.vertices, {}};
+LabelledMesh put_together(std::vector<Point3> common, std::vector<LabelledPart>& parts) {
+  const std::size_t first_new = common.size();
+  LabelledMesh all{std::move(common), {}};
   std::size_t triangles = 0;
   for (const LabelledPart& part : parts) triangles += part.triangles.size();
   all.triangles.reserve(triangles);
   for (LabelledPart& part : parts) {
-    const std::size_t moved = all.vertices.size() - from.vertices.size();
+    const std::size_t moved = all.vertices.size() - first_new;
     if (moved > 0)
-      for_each_vertex_from(from.vertices.size(), part.triangles, [&](VertexId& v) { v = VertexId(v.index() + moved); });
+      for_each_vertex_from(first_new, part.triangles, [&](VertexId& v) { v = VertexId(v.index() + moved); });
     all.triangles.insert(all.triangles.end(), part.triangles.begin(), part.triangles.end());
     all.vertices.insert(all.vertices.end(), part.new_vertices.begin(), part.new_vertices.end());
     part = {};
@@ -50,12 +51,12 @@ void drop_unused_vertices(std::size_t input, LabelledMesh& labelled) {
   for_each_vertex_from(input, labelled.triangles, [&](VertexId& v) { v = renamed[v.index() - input]; });
 }
 
-LabelledMesh labelled_mesh(const LabelSources& from) {
+LabelledMesh labelled_mesh(LabelSources from) {
   std::vector<LabelledPart> parts(range_count(from.mesh.facet_count()));
   parallel_for_ranges(from.mesh.facet_count(), [&](std::size_t range, std::size_t begin, std::size_t end) {
     parts[range] = label_surfaces(from, begin, end);
   });
-  LabelledMesh labelled = put_together(from, parts);
+  LabelledMesh labelled = put_together(std::move(from.vertices), parts);
   drop_unused_vertices(from.mesh.input_vertex_count(), labelled);
   return labelled;
 }

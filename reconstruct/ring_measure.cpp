@@ -35,8 +35,8 @@ RingMeasure measure(const ImagePoints& points, const VisibleSegments& segments, 
   RingMeasure m;
   const Point2 origin = points.approximate(segments.segments[ring.front().index()].start);
   for (const SegmentId s : ring) {
-    const Point2& a = points.approximate(segments.segments[s.index()].start);
-    const Point2& b = points.approximate(segments.segments[s.index()].end);
+    const Point2 a = points.approximate(segments.segments[s.index()].start);
+    const Point2 b = points.approximate(segments.segments[s.index()].end);
     const Point2 u{a.x - origin.x, a.y - origin.y};
     const Point2 v{b.x - origin.x, b.y - origin.y};
     m.twice_area += u.x * v.y - u.y * v.x;

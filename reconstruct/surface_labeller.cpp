@@ -243,6 +243,14 @@ class SurfaceLabeller {
   std::size_t next_polygon_ = 0;
 };
 
+// The mesh's, and room for the points on its edges.
+std::vector<Point3> vertices_with_room(const Mesh& mesh, const ProjectedScene& scene, const VisibleSegments& segments) {
+  std::vector<Point3> vertices;
+  vertices.reserve(mesh.vertices.size() + scene.made_corners.size() + segments.splits.size());
+  vertices.assign(mesh.vertices.begin(), mesh.vertices.end());
+  return vertices;
+}
+
 }  // namespace
 
 // In the body the names are the parameters'.
@@ -253,7 +261,7 @@ LabelSources::LabelSources(const Mesh& mesh, const ProjectedScene& scene, const 
       segments(segments),
       polygons(polygons),
       points(scene, segments),
-      vertices(mesh.vertices),
+      vertices(vertices_with_room(mesh, scene, segments)),
       edge_points(mesh, scene, segments, points, vertices) {
   const auto is_of_edge = [](const EdgeSplit& split) { return split.mesh_edge.valid(); };
   border_splits.assign(std::ranges::partition_point(segments.splits, is_of_edge), segments.splits.end());

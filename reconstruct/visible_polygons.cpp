@@ -80,8 +80,8 @@ Measure measure(const ImagePoints& points, const VisibleSegments& segments, std:
   Measure m;
   const Point2 origin = points.approximate(segments.segments[ring.front().index()].start);
   for (const SegmentId s : ring) {
-    const Point2& a = points.approximate(segments.segments[s.index()].start);
-    const Point2& b = points.approximate(segments.segments[s.index()].end);
+    const Point2 a = points.approximate(segments.segments[s.index()].start);
+    const Point2 b = points.approximate(segments.segments[s.index()].end);
     m.twice_area += (a.x - origin.x) * (b.y - origin.y) - (a.y - origin.y) * (b.x - origin.x);
     m.perimeter += std::hypot(b.x - a.x, b.y - a.y);
   }

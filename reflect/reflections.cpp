@@ -93,7 +93,7 @@ class Reflection {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     WindowPart grid{infinity, -infinity, infinity, -infinity};
     for_each_segment(polygon, [&](const VisibleSegment& s) {
-      const Point2& p = points_.approximate(s.start);
+      const Point2 p = points_.approximate(s.start);
       grid = {std::min(grid.left, p.x), std::max(grid.right, p.x), std::min(grid.bottom, p.y), std::max(grid.top, p.y)};
     });
     const auto window = [this](double place) { return std::ldexp(place, -scene_.grid_bits); };

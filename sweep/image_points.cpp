@@ -25,18 +25,13 @@ Sign exact_orientation(const ExactPoint& a, const ExactPoint& b, const ExactPoin
 
 ImagePoints::ImagePoints(const ProjectedScene& scene, const VisibleSegments& segments)
     : scene_(&scene), order_(scene, segments) {
-  approximate_.reserve(scene.points.size() + segments.crossings.size());
-  for (const ImagePoint& p : scene.points) approximate_.push_back({static_cast<double>(p.x), static_cast<double>(p.y)});
   crossings_.reserve(segments.crossings.size());
-  for (const Crossing& crossing : segments.crossings) {
-    crossings_.push_back(crossing_of(scene, crossing));
-    approximate_.push_back({crossings_.back().x, crossings_.back().y});
-  }
+  for (const Crossing& crossing : segments.crossings) crossings_.push_back(crossing_of(scene, crossing));
 }
 
 Point2 ImagePoints::in_window(PointId p) const {
   if (p.index() < scene_->points.size()) {
-    const Point2& grid = approximate(p);
+    const Point2 grid = approximate(p);
     return {std::ldexp(grid.x, -scene_->grid_bits), std::ldexp(grid.y, -scene_->grid_bits)};
   }
   const ExactPoint exact_place = exact(p);
@@ -54,11 +49,13 @@ Sign ImagePoints::orientation(PointId a, PointId b, PointId c) const {
   if (a == b || b == c || a == c) return 0;
   // A difference of two approximate coordinates is off by two crossing errors and its own rounding.
   constexpr double difference_error = 2 * crossing_error + 0x1p-11;
-  const Point2& pa = approximate(a);
-  const double ux = approximate(b).x - pa.x;
-  const double uy = approximate(b).y - pa.y;
-  const double vx = approximate(c).x - pa.x;
-  const double vy = approximate(c).y - pa.y;
+  const Point2 pa = approximate(a);
+  const Point2 pb = approximate(b);
+  const Point2 pc = approximate(c);
+  const double ux = pb.x - pa.x;
+  const double uy = pb.y - pa.y;
+  const double vx = pc.x - pa.x;
+  const double vy = pc.y - pa.y;
   const double left = ux * vy;
   const double right = uy * vx;
   const double bound =

@@ -18,7 +18,11 @@ class ImagePoints {
   ImagePoints(const ProjectedScene& scene, const VisibleSegments& segments);
 
   // In grid units; exact for scene points, off by at most crossing_error for crossings.
-  [[nodiscard]] const Point2& approximate(PointId p) const { return approximate_[p.index()]; }
+  [[nodiscard]] Point2 approximate(PointId p) const {
+    const std::size_t vertices = scene_->points.size();
+    if (p.index() >= vertices) return {crossings_[p.index() - vertices].x, crossings_[p.index() - vertices].y};
+    return {static_cast<double>(scene_->point(p).x), static_cast<double>(scene_->point(p).y)};
+  }
   // In the window's units: the exact place, rounded once.
   [[nodiscard]] Point2 in_window(PointId p) const;
   [[nodiscard]] ExactPoint exact(PointId p) const;
@@ -32,7 +36,6 @@ class ImagePoints {
   const ProjectedScene* scene_;
   SweepOrder order_;
   std::vector<CrossingPoint> crossings_;
-  std::vector<Point2> approximate_;
 };
 
 }  // namespace sightline
