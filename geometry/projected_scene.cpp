@@ -85,10 +85,18 @@ class SceneBuilder {
   }
 
  private:
+  // A corner of a facet that was clipped; no vertex: with its point and what it is.
+  struct Corner {
+    VertexId vertex;
+    MeshEdgeId edge_after;
+    ImagePoint image;
+    MadeCorner made;
+  };
+
   // Facets by ranges: each is worked on by one thread.
   struct Clipped {
     FacetId facet;
-    std::vector<ExactCorner> polygon;
+    std::vector<Corner> polygon;
   };
 
   void find_statuses() {
@@ -117,9 +125,19 @@ class SceneBuilder {
 
   [[nodiscard]] std::uint32_t count_corners(FacetId f, std::vector<Clipped>& clipped) {
     if (summarize(mesh_.corners(f), projected_).all_inside) return static_cast<std::uint32_t>(mesh_.corners(f).size());
-    clipped.push_back({f, clip(mesh_, scene_.camera, f)});
+    clipped.push_back({f, {}});
+    for (const ExactCorner& corner : clip(mesh_, scene_.camera, f))
+      clipped.back().polygon.push_back(rounded(corner, f));
     if (clipped.back().polygon.empty()) scene_.status[f.index()] = Status::out_of_view;
     return static_cast<std::uint32_t>(clipped.back().polygon.size());
+  }
+
+  [[nodiscard]] Corner rounded(const ExactCorner& corner, FacetId f) const {
+    if (corner.vertex.valid()) return {corner.vertex, corner.edge_after, {}, {}};
+    return {{},
+            corner.edge_after,
+            round_to_grid(corner, scene_.grid_bits),
+            {corner.position(), corner.weight(), corner.on_edge, f, 0}};
   }
 
   void add_corners() {
@@ -155,7 +173,7 @@ class SceneBuilder {
       first_made.push_back(made);
       for (const Clipped& clipped : clipped_of_range) {
         made += static_cast<std::size_t>(
-            std::ranges::count_if(clipped.polygon, [](const ExactCorner& corner) { return !corner.vertex.valid(); }));
+            std::ranges::count_if(clipped.polygon, [](const Corner& corner) { return !corner.vertex.valid(); }));
       }
     }
     scene_.made_corners.resize(made);
@@ -171,11 +189,11 @@ class SceneBuilder {
 
   void add_clipped(const Clipped& clipped, std::size_t& made, std::vector<std::uint8_t>& in_view) {
     std::size_t at = scene_.polygon_begin[clipped.facet.index()];
-    for (const ExactCorner& corner : clipped.polygon) {
+    for (const Corner& corner : clipped.polygon) {
       if (corner.vertex.valid()) {
         set_vertex_corner(at, corner.vertex, corner.edge_after, in_view);
       } else {
-        set_made_corner(clipped.facet, at, MadeCornerId(made++), corner);
+        set_made_corner(at, MadeCornerId(made++), corner);
       }
       ++at;
     }
@@ -187,11 +205,11 @@ class SceneBuilder {
     std::atomic_ref(in_view[v.index()]).store(1, std::memory_order_relaxed);
   }
 
-  void set_made_corner(FacetId f, std::size_t at, MadeCornerId made, const ExactCorner& corner) {
+  void set_made_corner(std::size_t at, MadeCornerId made, const Corner& corner) {
     scene_.polygon_corners[at] = {.point = {}, .vertex = {}, .made = made, .edge_after = corner.edge_after};
-    scene_.made_corners[made.index()] = {corner.position(), corner.weight(), corner.on_edge, f,
-                                         static_cast<std::uint32_t>(at)};
-    places_[made.index()] = {round_to_grid(corner, scene_.grid_bits), static_cast<std::uint32_t>(at), false};
+    scene_.made_corners[made.index()] = corner.made;
+    scene_.made_corners[made.index()].corner = static_cast<std::uint32_t>(at);
+    places_[made.index()] = {corner.image, static_cast<std::uint32_t>(at), false};
   }
 
   // Places that fall on one grid point are one point from here on.
