@@ -7,10 +7,10 @@
 
 #include <charconv>
 #include <cstdint>
-#include <cstring>
 #include <functional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace sightline {
 
@@ -22,8 +22,7 @@ class TextBuffer {
 
   TextBuffer& operator<<(std::string_view text) {
     make_room(text.size());
-    std::memcpy(end(), text.data(), text.size());
-    length_ += text.size();
+    length_ += text.copy(end(), text.size());
     return *this;
   }
   TextBuffer& operator<<(char c) {
