@@ -33,7 +33,7 @@ std::array<double, N> relative_weights(std::array<double, N> weights) {
 // A corner in space.
 struct LiftedCorner {
   Point3 position;
-  double w = 1;  // perspective weight
+  double weight = 1;  // perspective weight, W
 };
 
 LiftedCorner lifted(const Mesh& mesh, const ProjectedScene& scene, const ClippedCorner& corner) {
@@ -42,7 +42,7 @@ LiftedCorner lifted(const Mesh& mesh, const ProjectedScene& scene, const Clipped
 
 // The point at image fraction s between a and b: perspective weights turn it into the fraction on the edge.
 Point3 between(const LiftedCorner& a, const LiftedCorner& b, double s) {
-  const auto [w_a, w_b] = relative_weights(std::array{a.w, b.w});
+  const auto [w_a, w_b] = relative_weights(std::array{a.weight, b.weight});
   const double t = s * w_a / ((1 - s) * w_b + s * w_a);
   return a.position + t * (b.position - a.position);
 }
@@ -50,7 +50,7 @@ Point3 between(const LiftedCorner& a, const LiftedCorner& b, double s) {
 // Barycentric in the image, divided by W, is barycentric on the facet up to a factor.
 Point3 in_triangle(const LiftedCorner& a, const LiftedCorner& b, const LiftedCorner& c,
                    const std::array<Wide512, 3>& areas) {
-  const auto [w_a, w_b, w_c] = relative_weights(std::array{a.w, b.w, c.w});
+  const auto [w_a, w_b, w_c] = relative_weights(std::array{a.weight, b.weight, c.weight});
   const double weight0 = static_cast<double>(areas[0]) / w_a;
   const double weight1 = static_cast<double>(areas[1]) / w_b;
   const double weight2 = static_cast<double>(areas[2]) / w_c;

@@ -51,6 +51,13 @@ CrossingPoint crossing_point(const ImagePoint& top_a, const ImagePoint& bottom_a
   return c;
 }
 
+CrossingPoint crossing_point(const ProjectedScene& scene, EdgeId a, EdgeId b) {
+  const SceneEdge& of_a = scene.edge(a);
+  const SceneEdge& of_b = scene.edge(b);
+  return crossing_point(scene.point(of_a.top), scene.point(of_a.bottom), scene.point(of_b.top),
+                        scene.point(of_b.bottom));
+}
+
 double crossing_height(const ImagePoint& top_a, const ImagePoint& bottom_a, const ImagePoint& top_b,
                        const ImagePoint& bottom_b) {
   const auto [numerator, denominator] = share_of_first(top_a, bottom_a, top_b, bottom_b);

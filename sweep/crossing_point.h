@@ -11,7 +11,7 @@
 // Symmetry: the point does not depend on the order of the two edges.
 #pragma once
 
-#include "geometry/image_point.h"
+#include "geometry/projected_scene.h"
 
 namespace sightline {
 
@@ -35,6 +35,9 @@ constexpr double crossing_order_bound = 2 * crossing_error + 0x1p-11;
 // Precondition: the edges are not parallel.
 [[nodiscard]] CrossingPoint crossing_point(const ImagePoint& top_a, const ImagePoint& bottom_a, const ImagePoint& top_b,
                                            const ImagePoint& bottom_b);
+
+// Of two edges of a scene.
+[[nodiscard]] CrossingPoint crossing_point(const ProjectedScene& scene, EdgeId a, EdgeId b);
 
 // The same point's y.
 [[nodiscard]] double crossing_height(const ImagePoint& top_a, const ImagePoint& bottom_a, const ImagePoint& top_b,

@@ -5,12 +5,6 @@
 namespace sightline {
 namespace {
 
-CrossingPoint crossing_of(const ProjectedScene& scene, const Crossing& crossing) {
-  const SceneEdge& a = scene.edge(crossing.a);
-  const SceneEdge& b = scene.edge(crossing.b);
-  return crossing_point(scene.point(a.top), scene.point(a.bottom), scene.point(b.top), scene.point(b.bottom));
-}
-
 ExactPoint homogeneous(const CrossingPoint& c) {
   return {Wide512(c.base.x * c.denominator + c.offset_x), Wide512(c.base.y * c.denominator + c.offset_y),
           Wide512(c.denominator)};
@@ -26,7 +20,8 @@ Sign exact_orientation(const ExactPoint& a, const ExactPoint& b, const ExactPoin
 ImagePoints::ImagePoints(const ProjectedScene& scene, const VisibleSegments& segments)
     : scene_(&scene), order_(scene, segments) {
   crossings_.reserve(segments.crossings.size());
-  for (const Crossing& crossing : segments.crossings) crossings_.push_back(crossing_of(scene, crossing));
+  for (const Crossing& crossing : segments.crossings)
+    crossings_.push_back(crossing_point(scene, crossing.a, crossing.b));
 }
 
 Point2 ImagePoints::in_window(PointId p) const {
@@ -67,7 +62,10 @@ Sign ImagePoints::orientation(PointId a, PointId b, PointId c) const {
 
 ExactPoint exact_point(const ProjectedScene& scene, const VisibleSegments& segments, PointId p) {
   const std::size_t vertices = scene.points.size();
-  if (p.index() >= vertices) return homogeneous(crossing_of(scene, segments.crossings[p.index() - vertices]));
+  if (p.index() >= vertices) {
+    const Crossing& crossing = segments.crossings[p.index() - vertices];
+    return homogeneous(crossing_point(scene, crossing.a, crossing.b));
+  }
   return {Wide512(scene.point(p).x), Wide512(scene.point(p).y), Wide512(1)};
 }
 

@@ -15,15 +15,11 @@ struct Placed {
   CrossingPoint place;
 };
 
-Placed placed(const ProjectedScene& scene, const Crossing& c) {
-  const SceneEdge& a = scene.edge(c.a);
-  const SceneEdge& b = scene.edge(c.b);
-  return {c, crossing_point(scene.point(a.top), scene.point(a.bottom), scene.point(b.top), scene.point(b.bottom))};
-}
-
 std::vector<Placed> in_sweep_order(const ProjectedScene& scene, const std::vector<Crossing>& crossings) {
   std::vector<Placed> all(crossings.size());
-  parallel_for_each(all.size(), [&](std::size_t i) { all[i] = placed(scene, crossings[i]); });
+  parallel_for_each(all.size(), [&](std::size_t i) {
+    all[i] = {crossings[i], crossing_point(scene, crossings[i].a, crossings[i].b)};
+  });
   tbb::parallel_sort(all.begin(), all.end(), [](const Placed& x, const Placed& y) {
     if (x.crossing.after != y.crossing.after) return x.crossing.after < y.crossing.after;
     return sweep_compare(x.place, y.place) < 0;

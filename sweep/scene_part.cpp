@@ -106,7 +106,7 @@ class PointNames {
     for (Crossing crossing : crossings) {
       crossing.a = part.edge[crossing.a.index()];
       crossing.b = part.edge[crossing.b.index()];
-      const CrossingPoint place = place_of(crossing);
+      const CrossingPoint place = crossing_point(whole, crossing.a, crossing.b);
       crossing.after = first_not_before(place, crossing.after);
       const bool is_vertex =
           crossing.after.index() < whole.points.size() && sweep_compare(place, whole.point(crossing.after)) == 0;
@@ -121,12 +121,6 @@ class PointNames {
   }
 
  private:
-  [[nodiscard]] CrossingPoint place_of(const Crossing& crossing) const {
-    const SceneEdge& a = whole_.edge(crossing.a);
-    const SceneEdge& b = whole_.edge(crossing.b);
-    return crossing_point(whole_.point(a.top), whole_.point(a.bottom), whole_.point(b.top), whole_.point(b.bottom));
-  }
-
   // Of the whole's points from the part's last one before the crossing to the part's next one.
   [[nodiscard]] PointId first_not_before(const CrossingPoint& place, PointId next) const {
     const auto at = [this](std::size_t i) { return whole_.points.begin() + static_cast<std::ptrdiff_t>(i); };

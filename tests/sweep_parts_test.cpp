@@ -38,7 +38,8 @@ ImagePoint random_point(std::mt19937& random, std::int64_t size) {
   return {coordinate(random), coordinate(random)};
 }
 
-CrossingPoint random_crossing(std::mt19937& random, std::int64_t size) {
+// Two edges that cross, end by end.
+std::array<ImagePoint, 4> crossing_edges(std::mt19937& random, std::int64_t size) {
   while (true) {
     const ImagePoint a = random_point(random, size);
     const ImagePoint b = random_point(random, size);
@@ -46,8 +47,13 @@ CrossingPoint random_crossing(std::mt19937& random, std::int64_t size) {
     const ImagePoint d = random_point(random, size);
     const bool cross =
         orientation(a, b, c) * orientation(a, b, d) < 0 && orientation(c, d, a) * orientation(c, d, b) < 0;
-    if (cross) return crossing_point(a, b, c, d);
+    if (cross) return {a, b, c, d};
   }
+}
+
+CrossingPoint random_crossing(std::mt19937& random, std::int64_t size) {
+  const auto [a, b, c, d] = crossing_edges(random, size);
+  return crossing_point(a, b, c, d);
 }
 
 // Parallel squares facing +z, the higher face in front of the lower for an eye far up z.
@@ -91,16 +97,9 @@ TEST_CASE("crossing points: order and rounding, against rationals, at both ends 
 TEST_CASE("the height of a crossing is the crossing's y") {
   INFO("seed ", seed);
   std::mt19937 random(seed);
-  int crossings = 0;
-  while (crossings < 1000) {
-    const std::array<ImagePoint, 4> p{
-        random_point(random, std::int64_t{1} << 40), random_point(random, std::int64_t{1} << 40),
-        random_point(random, std::int64_t{1} << 40), random_point(random, std::int64_t{1} << 40)};
-    const bool cross = orientation(p[0], p[1], p[2]) * orientation(p[0], p[1], p[3]) < 0 &&
-                       orientation(p[2], p[3], p[0]) * orientation(p[2], p[3], p[1]) < 0;
-    if (!cross) continue;
-    CHECK(crossing_height(p[0], p[1], p[2], p[3]) == crossing_point(p[0], p[1], p[2], p[3]).y);
-    ++crossings;
+  for (int i = 0; i < 1000; ++i) {
+    const auto [a, b, c, d] = crossing_edges(random, std::int64_t{1} << 40);
+    CHECK(crossing_height(a, b, c, d) == crossing_point(a, b, c, d).y);
   }
 }
 
