@@ -8,7 +8,7 @@
 #include <optional>
 #include <string_view>
 
-#include "bench/generated_scenes.h"
+#include "bench/scenes/generated_scenes.h"
 #include "sightline/analyze.h"
 
 namespace sightline::bench {

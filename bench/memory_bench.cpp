@@ -8,20 +8,21 @@
 #include <functional>
 #include <string>
 
-#include "bench/generated_scenes.h"
-#include "cli/face_measures.h"
-#include "cli/labelled_obj.h"
-#include "cli/labelled_ply.h"
-#include "cli/process_memory.h"
-#include "cli/segments_table.h"
-#include "cli/view_svg.h"
-#include "cli/window_points.h"
-#include "geometry/box_hierarchy.h"
-#include "geometry/interpenetration.h"
-#include "geometry/obj_reader.h"
+#include "bench/scenes/generated_scenes.h"
+#include "cli/results/face_measures.h"
+#include "cli/system/process_memory.h"
+#include "formats/reading/obj_reader.h"
+#include "formats/writing/labelled_obj.h"
+#include "formats/writing/labelled_ply.h"
+#include "formats/writing/segments_table.h"
+#include "formats/writing/view_svg.h"
+#include "formats/writing/window_points.h"
+#include "geometry/cutting/interpenetration.h"
+#include "geometry/mesh/box_hierarchy.h"
 #include "sightline/analyze.h"
 
 namespace sightline::bench {
+using namespace cli;
 namespace {
 
 // The peak while `work` runs, with all that was there before.

@@ -7,7 +7,7 @@
 
 #include <chrono>
 
-#include "bench/generated_scenes.h"
+#include "bench/scenes/generated_scenes.h"
 #include "sightline/analyze.h"
 
 namespace sightline::bench {
@@ -69,7 +69,7 @@ void reflections_of_terrain(benchmark::State& state) {
   view.polygons = reconstruct_polygons(mesh, view.scene, view.segments);
   ReflectedView reflected;
   for (auto _ : state) {
-    reflected = reflect(world, view.scene, view.segments, view.polygons);
+    reflected = find_reflections(world, view.scene, view.segments, view.polygons);
     benchmark::DoNotOptimize(reflected.scene.points.data());
   }
   const Reflections& found = reflected.reflections;

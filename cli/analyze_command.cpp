@@ -6,19 +6,19 @@
 #include <optional>
 #include <vector>
 
-#include "cli/coverage_table.h"
-#include "cli/memory_limit.h"
-#include "cli/report.h"
-#include "cli/report_page.h"
-#include "cli/resources.h"
-#include "cli/result_folders.h"
-#include "cli/scene_file.h"
-#include "cli/summary.h"
-#include "cli/view_analysis.h"
-#include "cli/view_files.h"
-#include "cli/window_points.h"
+#include "cli/analyze/view_analysis.h"
+#include "cli/pages/report_page.h"
+#include "cli/results/report.h"
+#include "cli/results/summary.h"
+#include "cli/results/view_files.h"
+#include "cli/scene/scene_file.h"
+#include "cli/system/memory_limit.h"
+#include "cli/system/resources.h"
+#include "cli/system/result_folders.h"
+#include "formats/writing/coverage_table.h"
+#include "formats/writing/window_points.h"
 
-namespace sightline {
+namespace sightline::cli {
 
 namespace {
 
@@ -125,4 +125,4 @@ std::string analyze_command(const AnalyzeOptions& options) {
   }
 }
 
-}  // namespace sightline
+}  // namespace sightline::cli

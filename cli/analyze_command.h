@@ -5,11 +5,11 @@
 
 #include <string>
 
-#include "cli/command_line.h"
+#include "cli/options/requests.h"
 
-namespace sightline {
+namespace sightline::cli {
 
 // Returns what belongs on standard output: the summary, or with --json the report (an array for several cameras).
 [[nodiscard]] std::string analyze_command(const AnalyzeOptions& options);
 
-}  // namespace sightline
+}  // namespace sightline::cli

@@ -1,8 +1,8 @@
 #include "cli/camera_options.h"
 
-#include "cli/option_values.h"
+#include "cli/options/option_values.h"
 
-namespace sightline {
+namespace sightline::cli {
 
 namespace {
 
@@ -49,4 +49,4 @@ std::optional<Camera> camera_of(const std::string& input, const CameraTexts& tex
   return std::nullopt;
 }
 
-}  // namespace sightline
+}  // namespace sightline::cli

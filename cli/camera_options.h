@@ -7,9 +7,9 @@
 #include <optional>
 #include <string>
 
-#include "geometry/camera.h"
+#include "geometry/projection/camera.h"
 
-namespace sightline {
+namespace sightline::cli {
 
 struct CameraTexts {
   std::string eye, target, up, fov_y, aspect;
@@ -22,4 +22,4 @@ void declare_camera(CLI::App& command, CameraTexts& texts);
 // None where the input is a scene file.
 [[nodiscard]] std::optional<Camera> camera_of(const std::string& input, const CameraTexts& texts);
 
-}  // namespace sightline
+}  // namespace sightline::cli

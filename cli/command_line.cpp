@@ -8,13 +8,14 @@
 
 #include "cli/camera_options.h"
 #include "cli/compare_options.h"
+#include "cli/trace_options.h"
 #include "cli/completion.h"
-#include "cli/memory_limit.h"
-#include "cli/option_values.h"
-#include "cli/scene_file.h"
-#include "cli/stability_families.h"
+#include "cli/options/option_values.h"
+#include "cli/scene/scene_file.h"
+#include "cli/stability/stability_families.h"
+#include "cli/system/memory_limit.h"
 
-namespace sightline {
+namespace sightline::cli {
 
 namespace {
 
@@ -185,4 +186,4 @@ Request parse_command_line(int argc, const char* const* argv) {
   return options_of(texts);
 }
 
-}  // namespace sightline
+}  // namespace sightline::cli

@@ -5,61 +5,10 @@
 // Errors: CommandLineError, one line.
 #pragma once
 
-#include <cstdint>
-#include <optional>
-#include <string>
-#include <variant>
-#include <vector>
+#include "cli/options/requests.h"
 
-#include "cli/scene.h"
-#include "cli/trace_options.h"
-#include "geometry/arithmetic.h"
-#include "geometry/errors.h"
-#include "sweep/engine.h"
-
-namespace sightline {
-
-class CommandLineError : public Error {
-  using Error::Error;
-};
-
-struct AnalyzeOptions {
-  std::string input;                  // a scene file where it ends in .toml, else a mesh
-  std::optional<std::string> output;  // the folder for the results; none: no files, which needs json
-  std::optional<SidesPolicy> sides;   // instead of the scene file's
-  std::optional<Camera> camera;       // set where the input is a mesh
-  std::uint64_t max_memory = 0;       // in bytes
-  Precision precision;
-  Engine engine = Engine::fast;
-  std::size_t threads = 1;
-  bool report_page = false;  // needs output
-  bool json = false;
-  bool quiet = false;
-};
-
-struct StabilityOptions {
-  std::string output;                 // the folder for the results
-  std::optional<std::string> family;  // the only one to run; its name exists
-  bool quiet = false;
-};
-
-struct CompareOptions {
-  std::string input;                  // a scene file where it ends in .toml, else a mesh
-  std::string output;                 // the folder for the results
-  std::optional<std::string> camera;  // of the scene; none: the first
-  std::optional<Camera> mesh_camera;  // set where the input is a mesh
-  std::vector<std::string> peers;     // their names, which exist
-  std::vector<int> resolutions;       // ascending, distinct
-  double limit_seconds = 0;           // of processor time, for each run
-  bool quiet = false;
-};
-
-// What --help or --version asked for; print it and be done.
-struct RequestedText {
-  std::string text;
-};
-
-using Request = std::variant<AnalyzeOptions, CompareOptions, StabilityOptions, TraceOptions, RequestedText>;
+namespace sightline::cli {
 
 [[nodiscard]] Request parse_command_line(int argc, const char* const* argv);
-}  // namespace sightline
+
+}  // namespace sightline::cli

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-#include "cli/option_values.h"
+#include "cli/options/option_values.h"
 #include "peers/peer_list.h"
 
-namespace sightline {
+namespace sightline::cli {
 
 namespace {
 
@@ -80,4 +80,4 @@ CompareOptions options_of(const CompareTexts& texts) {
   return options;
 }
 
-}  // namespace sightline
+}  // namespace sightline::cli

@@ -7,9 +7,9 @@
 #include <string>
 
 #include "cli/camera_options.h"
-#include "cli/command_line.h"
+#include "cli/options/requests.h"
 
-namespace sightline {
+namespace sightline::cli {
 
 // The options as texts.
 struct CompareTexts {
@@ -21,4 +21,4 @@ struct CompareTexts {
 void declare_compare(CLI::App& compare, CompareTexts& texts);
 [[nodiscard]] CompareOptions options_of(const CompareTexts& texts);
 
-}  // namespace sightline
+}  // namespace sightline::cli

@@ -4,7 +4,7 @@
 
 #include "cli/completion_words.h"
 
-namespace sightline {
+namespace sightline::cli {
 
 namespace {
 
@@ -150,4 +150,4 @@ std::string completion_script(const CLI::App& app, Shell shell) {
   return shell == Shell::zsh ? zsh_script(commands) : fish_script(commands);
 }
 
-}  // namespace sightline
+}  // namespace sightline::cli

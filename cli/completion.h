@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-namespace sightline {
+namespace sightline::cli {
 
 enum class Shell : std::uint8_t { bash, zsh, fish };
 
@@ -18,4 +18,4 @@ enum class Shell : std::uint8_t { bash, zsh, fish };
 
 [[nodiscard]] std::string completion_script(const CLI::App& app, Shell shell);
 
-}  // namespace sightline
+}  // namespace sightline::cli

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace sightline {
+namespace sightline::cli {
 
 namespace {
 
@@ -60,4 +60,4 @@ std::string option_words(const CompletionCommand& command) {
   return words;
 }
 
-}  // namespace sightline
+}  // namespace sightline::cli

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace sightline {
+namespace sightline::cli {
 
 // What follows an option.
 enum class Follows : std::uint8_t { nothing, words, folder, other };
@@ -32,4 +32,4 @@ struct CompletionCommand {
 // "--name -n", for the options of a command.
 [[nodiscard]] std::string option_words(const CompletionCommand& command);
 
-}  // namespace sightline
+}  // namespace sightline::cli

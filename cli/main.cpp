@@ -8,10 +8,12 @@
 
 #include "cli/analyze_command.h"
 #include "cli/command_line.h"
-#include "cli/compare_command.h"
-#include "cli/durable_file.h"
-#include "cli/stability_command.h"
-#include "cli/trace_command.h"
+#include "cli/compare/compare_command.h"
+#include "cli/stability/stability_command.h"
+#include "cli/system/durable_file.h"
+#include "cli/trace/trace_command.h"
+
+namespace cli = sightline::cli;
 
 namespace {
 
@@ -28,21 +30,21 @@ int fail(ExitCode code, std::string message) {
 
 void print(const std::string& text) {
   const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
-  if (!written) throw sightline::OutputError("standard output cannot be written");
+  if (!written) throw cli::OutputError("standard output cannot be written");
 }
 
 int run(int argc, const char* const* argv) {
-  const auto request = sightline::parse_command_line(argc, argv);
-  if (const auto* asked = std::get_if<sightline::RequestedText>(&request)) {
+  const auto request = cli::parse_command_line(argc, argv);
+  if (const auto* asked = std::get_if<cli::RequestedText>(&request)) {
     print(asked->text);
-  } else if (const auto* stability = std::get_if<sightline::StabilityOptions>(&request)) {
-    print(sightline::stability_command(*stability));
-  } else if (const auto* compare = std::get_if<sightline::CompareOptions>(&request)) {
-    print(sightline::compare_command(*compare));
-  } else if (const auto* trace = std::get_if<sightline::TraceOptions>(&request)) {
-    print(sightline::trace_command(*trace));
+  } else if (const auto* stability = std::get_if<cli::StabilityOptions>(&request)) {
+    print(cli::stability_command(*stability));
+  } else if (const auto* compare = std::get_if<cli::CompareOptions>(&request)) {
+    print(cli::compare_command(*compare));
+  } else if (const auto* trace = std::get_if<cli::TraceOptions>(&request)) {
+    print(cli::trace_command(*trace));
   } else {
-    print(sightline::analyze_command(std::get<sightline::AnalyzeOptions>(request)));
+    print(cli::analyze_command(std::get<cli::AnalyzeOptions>(request)));
   }
   return done;
 }
@@ -53,7 +55,7 @@ int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);  // a file beyond the limit of the user's shell is an error of writing, not a crash
   try {
     return run(argc, argv);
-  } catch (const sightline::CommandLineError& error) {
+  } catch (const cli::CommandLineError& error) {
     return fail(command_line_is_wrong, std::string(error.what()) + "; see sightline --help");
   } catch (const sightline::InternalError& error) {
     return fail(internal_error, std::string("internal error: ") + error.what() + "; please report it with the input");

@@ -4,12 +4,12 @@
 
 #include <CLI/CLI.hpp>
 
-#include "cli/command_line.h"
-#include "cli/option_values.h"
-#include "cli/scene_file.h"
-#include "cli/trace_examples.h"
+#include "cli/options/option_values.h"
+#include "cli/options/requests.h"
+#include "cli/scene/scene_file.h"
+#include "cli/trace/trace_examples.h"
 
-namespace sightline {
+namespace sightline::cli {
 
 namespace {
 
@@ -69,4 +69,4 @@ TraceOptions options_of(const TraceTexts& texts) {
   return options;
 }
 
-}  // namespace sightline
+}  // namespace sightline::cli

@@ -2,8 +2,7 @@
 
 # Inline functions of our headers must round as the library does, wherever they are compiled: contraction is off for
 # users too. Warnings are for our own builds only, and without those that g++ 12 reports at -O3 for correct code inlined
-# from std::string (GCC bug 105651; more of them where headers are precompiled) and from Boost's small_vector. A second
-# argument names the target whose precompiled headers this one shares.
+# from std::string (GCC bug 105651; more of them where headers are precompiled) and from Boost's small_vector.
 function(sightline_compile_options target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_compile_options(${target} PUBLIC -ffp-contract=off)
@@ -14,30 +13,41 @@ function(sightline_compile_options target)
       $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized> $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow>
       $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds>)
   endif()
-  get_target_property(sources ${target} SOURCES)
-  list(LENGTH sources source_count)
-  if(SIGHTLINE_PRECOMPILE_HEADERS AND source_count GREATER 2)
-    sightline_precompile_headers(${target} "${ARGN}")
+  if(SIGHTLINE_UNITY_BUILD)
+    sightline_unity_build(${target})
   endif()
   if(SIGHTLINE_WARNINGS_AS_ERRORS)
     target_compile_options(${target} PRIVATE -Werror)
   endif()
 endfunction()
 
-# Compiled once per target; or those of another target that is compiled alike.
-function(sightline_precompile_headers target headers_of)
-  if(headers_of)
-    target_precompile_headers(${target} REUSE_FROM ${headers_of})
-  else()
-    target_precompile_headers(${target} PRIVATE <algorithm> <array> <boost/multiprecision/cpp_int.hpp> <cmath> <map>
-      <optional> <span> <string> <vector>)
-  endif()
+# The sources of one folder are compiled as one unit, at most so many of them: they share what reading the headers costs.
+# No two sources of a folder may use one name for two things; the tests have a namespace per source.
+function(sightline_unity_build target)
+  set(most_together 12)
+  get_target_property(sources ${target} SOURCES)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  set(last_folder "")
+  foreach(source IN LISTS sources)
+    get_filename_component(source "${source}" ABSOLUTE)
+    get_filename_component(folder "${source}" DIRECTORY)
+    if(NOT folder STREQUAL last_folder)
+      set(count 0)
+    endif()
+    set(last_folder "${folder}")
+    math(EXPR unit "${count} / ${most_together}")
+    math(EXPR count "${count} + 1")
+    file(RELATIVE_PATH group "${PROJECT_SOURCE_DIR}" "${folder}")
+    string(MAKE_C_IDENTIFIER "${group}_${unit}" group)
+    set_source_files_properties("${source}" PROPERTIES UNITY_GROUP ${group})
+  endforeach()
 endfunction()
 
 # A room is a folder of the source tree and the static library sightline_<room> made of all its sources; what it may
 # include is what it is linked with.
 function(sightline_add_room room)
-  file(GLOB sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/${room}/*.cpp")
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/${room}/*.cpp")
+  list(FILTER sources EXCLUDE REGEX "/formats/pictures/")  # they need libpng: a part of the command
   set(target sightline_${room})
   add_library(${target} STATIC ${sources})
   add_library(sightline::${room} ALIAS ${target})
@@ -46,9 +56,5 @@ function(sightline_add_room room)
     "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>"
     "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/sightline-${PROJECT_VERSION}>")
   target_link_libraries(${target} PUBLIC ${ARGN})
-  if(room STREQUAL "geometry")
-    sightline_compile_options(${target})
-  else()
-    sightline_compile_options(${target} sightline_geometry)
-  endif()
+  sightline_compile_options(${target})
 endfunction()

@@ -4,21 +4,21 @@
 #include <cstdlib>
 
 #include "fuzz/choices.h"
-#include "tests/oracle/lattice.h"
+#include "oracle/lattice/lattice.h"
 
 namespace sightline::fuzz {
 namespace {
 
-using oracle::Lattice;
-using oracle::LatticePoint;
+using lattice::Lattice;
+using lattice::LatticePoint;
 
 constexpr std::size_t most_faces = 8;
 
 Lattice chosen_lattice(Choices& choices) {
   const int high = choices.between(0, 255);
   const int low = choices.between(0, 255);
-  oracle::Dice dice(static_cast<std::uint64_t>(256 * high + low));
-  return oracle::random_lattice(dice);
+  lattice::Dice dice(static_cast<std::uint64_t>(256 * high + low));
+  return lattice::random_lattice(dice);
 }
 
 // Its image is a whole number, or, where the point is further than 1 from a pinhole, a fraction if `fine`.
@@ -44,10 +44,10 @@ std::uint32_t chosen_vertex(std::vector<LatticePoint>& points, const Lattice& la
 
 }  // namespace
 
-oracle::RandomScene chosen_scene(std::string_view bytes) {
+lattice::RandomScene chosen_scene(std::string_view bytes) {
   Choices choices(bytes);
   const Lattice lattice = chosen_lattice(choices);
-  oracle::RandomScene scene;
+  lattice::RandomScene scene;
   scene.camera = lattice.camera;
   scene.sides = choices.between(0, 3) == 3 ? Sides::front : Sides::both;
   std::vector<LatticePoint> points;
@@ -56,7 +56,7 @@ oracle::RandomScene chosen_scene(std::string_view bytes) {
     for (std::uint32_t& corner : corners) corner = chosen_vertex(points, lattice, choices);
     scene.faces.push_back(corners);
   }
-  for (const LatticePoint& p : points) scene.vertices.push_back(oracle::position(lattice, p));
+  for (const LatticePoint& p : points) scene.vertices.push_back(lattice::position(lattice, p));
   return scene;
 }
 

@@ -6,10 +6,10 @@
 
 #include <string_view>
 
-#include "tests/oracle/random_scenes.h"
+#include "oracle/scenes/random_scenes.h"
 
 namespace sightline::fuzz {
 
-[[nodiscard]] oracle::RandomScene chosen_scene(std::string_view bytes);
+[[nodiscard]] lattice::RandomScene chosen_scene(std::string_view bytes);
 
 }  // namespace sightline::fuzz

@@ -2,11 +2,11 @@
 #include <cmath>
 #include <optional>
 
+#include "formats/reading/obj_reader.h"
 #include "fuzz/checks.h"
 #include "fuzz/refusal.h"
-#include "geometry/common_lines.h"
-#include "geometry/obj_reader.h"
-#include "tests/oracle/judge.h"
+#include "geometry/cutting/common_lines.h"
+#include "oracle/judging/judge.h"
 
 namespace sightline::fuzz {
 namespace {
@@ -34,8 +34,8 @@ bool has_coarse_doubles(const Mesh& mesh) {
   });
 }
 
-void require_none(const oracle::Complaints& complaints) {
-  if (!complaints.empty()) throw Finding(oracle::joined(complaints));
+void require_none(const lattice::Complaints& complaints) {
+  if (!complaints.empty()) throw Finding(lattice::joined(complaints));
 }
 
 }  // namespace
@@ -50,7 +50,7 @@ void check_obj(std::string_view bytes) {
   const MeshContacts contacts = find_contacts(file->mesh);
   const Mesh mesh = cut_along_common_lines(file->mesh, contacts);
   const Sides sides = decide_sides(mesh, contacts, camera, SidesPolicy::automatic).sides;
-  oracle::Complaints complaints = oracle::complaints_of_stages(mesh, analyze(mesh, camera, sides));
+  lattice::Complaints complaints = lattice::complaints_of_stages(mesh, analyze(mesh, camera, sides));
   if (has_coarse_doubles(file->mesh))
     std::erase_if(complaints, [](const std::string& line) { return line.starts_with("labelled: "); });
   require_none(complaints);

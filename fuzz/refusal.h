@@ -4,7 +4,7 @@
 #include <string>
 
 #include "fuzz/checks.h"
-#include "geometry/errors.h"
+#include "geometry/numbers/errors.h"
 
 namespace sightline::fuzz {
 

@@ -1,16 +1,17 @@
 #include <optional>
 
-#include "cli/camera_name.h"
-#include "cli/scene_file.h"
+#include "cli/scene/camera_name.h"
+#include "cli/scene/scene_file.h"
 #include "fuzz/checks.h"
 #include "fuzz/no_files.h"
 #include "fuzz/refusal.h"
-#include "tests/oracle/judge.h"
+#include "oracle/judging/judge.h"
 
 namespace sightline::fuzz {
+using namespace cli;
 namespace {
 
-std::optional<Scene> read_or_refused(std::string_view text) {
+std::optional<Scene> scene_or_refused(std::string_view text) {
   const std::string path = "folder/input.toml";
   try {
     const NoFiles no_files;
@@ -48,14 +49,14 @@ Mesh small_mesh() {
 
 void check_view(const Mesh& mesh, const Camera& camera, SidesPolicy policy) {
   const Sides sides = decide_sides(mesh, find_contacts(mesh), camera, policy).sides;
-  const auto complaints = oracle::complaints_of_stages(mesh, analyze(mesh, camera, sides));
-  if (!complaints.empty()) throw Finding("camera " + camera.name + ": " + oracle::joined(complaints));
+  const auto complaints = lattice::complaints_of_stages(mesh, analyze(mesh, camera, sides));
+  if (!complaints.empty()) throw Finding("camera " + camera.name + ": " + lattice::joined(complaints));
 }
 
 }  // namespace
 
 void check_scene_file(std::string_view bytes) {
-  const auto scene = read_or_refused(bytes);
+  const auto scene = scene_or_refused(bytes);
   if (!scene) return;
   check_names(*scene);
   const Mesh mesh = small_mesh();

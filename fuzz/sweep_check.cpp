@@ -2,30 +2,30 @@
 
 #include "fuzz/checks.h"
 #include "fuzz/chosen_scene.h"
-#include "oracle/truth.h"
-#include "tests/engine_comparison.h"
-#include "tests/oracle/judge.h"
+#include "oracle/judging/engine_comparison.h"
+#include "oracle/judging/judge.h"
+#include "oracle/truth/truth.h"
 
 namespace sightline::fuzz {
 namespace {
 
 // Whether every image, clipped, has its corners on the integer oracle's grid.
-bool is_on_the_grid(const Mesh& mesh, const oracle::RandomScene& scene) {
+bool is_on_the_grid(const Mesh& mesh, const lattice::RandomScene& scene) {
   try {
-    return oracle::oracle_faces(mesh, scene.camera, scene.sides).size() <= mesh.facet_count();
+    return lattice::oracle_faces(mesh, scene.camera, scene.sides).size() <= mesh.facet_count();
   } catch (const std::logic_error&) {
     return false;
   }
 }
 
-oracle::Complaints differences_from_truth(const Mesh& whole, const oracle::RandomScene& scene, const View& view) {
+lattice::Complaints differences_from_truth(const Mesh& whole, const lattice::RandomScene& scene, const View& view) {
   const oracle::Truth truth = oracle::true_visibility(whole, scene.camera, scene.sides);
   std::vector<double> areas(whole.face_count());
   for (const VisiblePolygon& polygon : view.polygons.polygons) areas[polygon.face.index()] += polygon.area;
-  oracle::Complaints complaints;
+  lattice::Complaints complaints;
   for (std::size_t f = 0; f < areas.size(); ++f) {
     const double expected = truth.visible_area[f].convert_to<double>();
-    if (std::fabs(areas[f] - expected) <= oracle::rounding_bound(view.scene)) continue;
+    if (std::fabs(areas[f] - expected) <= lattice::rounding_bound(view.scene)) continue;
     complaints.push_back("visible area of face " + std::to_string(f) + " is " + std::to_string(areas[f]) +
                          ", the oracle says " + std::to_string(expected));
   }
@@ -35,18 +35,18 @@ oracle::Complaints differences_from_truth(const Mesh& whole, const oracle::Rando
 }  // namespace
 
 void check_sweep(std::string_view bytes) {
-  const oracle::RandomScene scene = chosen_scene(bytes);
-  const Mesh whole = oracle::mesh_of(scene);
-  const Mesh mesh = oracle::cut(whole);
+  const lattice::RandomScene scene = chosen_scene(bytes);
+  const Mesh whole = lattice::mesh_of(scene);
+  const Mesh mesh = lattice::cut(whole);
   const View view = analyze(mesh, scene.camera, scene.sides);
-  oracle::Complaints complaints = oracle::complaints_of_stages(mesh, view);
+  lattice::Complaints complaints = lattice::complaints_of_stages(mesh, view);
   const bool exact = !mesh.is_cut() && is_on_the_grid(whole, scene);
-  const auto more = exact ? oracle::judge(scene).complaints : differences_from_truth(whole, scene, view);
+  const auto more = exact ? lattice::judge(scene).complaints : differences_from_truth(whole, scene, view);
   complaints.insert(complaints.end(), more.begin(), more.end());
-  testing::EngineTally tally;
-  const std::string engines = testing::engine_differences(mesh, view.scene, {{4, 2}}, tally);
+  lattice::EngineTally tally;
+  const std::string engines = lattice::engine_differences(mesh, view.scene, {{4, 2}}, tally);
   if (!engines.empty()) complaints.push_back("the engines differ: " + engines);
-  if (!complaints.empty()) throw Finding(oracle::joined(complaints) + oracle::to_text(scene));
+  if (!complaints.empty()) throw Finding(lattice::joined(complaints) + lattice::to_text(scene));
 }
 
 }  // namespace sightline::fuzz

@@ -2,18 +2,18 @@
 
 #include <utility>
 
-#include "peers/appel.h"
-#include "peers/back_face_culling.h"
-#include "peers/bsp_tree.h"
-#include "peers/depth_sort.h"
-#include "peers/every_pair.h"
-#include "peers/floating_horizon.h"
-#include "peers/koucky.h"
-#include "peers/ray_casting.h"
-#include "peers/sweep_peers.h"
-#include "peers/warnock.h"
-#include "peers/watkins.h"
-#include "peers/z_buffer.h"
+#include "peers/lines/appel.h"
+#include "peers/lines/floating_horizon.h"
+#include "peers/painters/back_face_culling.h"
+#include "peers/painters/bsp_tree.h"
+#include "peers/painters/depth_sort.h"
+#include "peers/painters/every_pair.h"
+#include "peers/painters/koucky.h"
+#include "peers/painters/sweep_peers.h"
+#include "peers/pixels/ray_casting.h"
+#include "peers/pixels/warnock.h"
+#include "peers/pixels/watkins.h"
+#include "peers/pixels/z_buffer.h"
 
 namespace sightline::peers {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "peers/peer.h"
+#include "peers/scene/peer.h"
 
 namespace sightline::peers {
 

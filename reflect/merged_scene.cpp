@@ -4,7 +4,7 @@
 #include <array>
 #include <functional>
 
-namespace sightline {
+namespace sightline::inline reflect {
 namespace {
 
 template <class Item, class Order>
@@ -258,4 +258,4 @@ MergedScene merge(const ProjectedScene& scene, const VisibleSegments& segments, 
   return Merging(scene, segments, pieces).run();
 }
 
-}  // namespace sightline
+}  // namespace sightline::inline reflect

@@ -10,11 +10,11 @@
 
 #include <span>
 
-#include "geometry/projected_scene.h"
-#include "reflect/overlay.h"
-#include "sweep/visible_segments.h"
+#include "geometry/projection/projected_scene.h"
+#include "reflect/regions/overlay.h"
+#include "sweep/segments/visible_segments.h"
 
-namespace sightline {
+namespace sightline::inline reflect {
 
 struct NumberedPiece {
   PointId start;
@@ -31,4 +31,4 @@ struct MergedScene {
 [[nodiscard]] MergedScene merge(const ProjectedScene& scene, const VisibleSegments& segments,
                                 std::span<const BorderPiece> pieces);
 
-}  // namespace sightline
+}  // namespace sightline::inline reflect

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <map>
 
-#include "geometry/errors.h"
-#include "geometry/facet_plane.h"
-#include "reconstruct/ring_linker.h"
-#include "sweep/edge_sides.h"
+#include "geometry/mesh/facet_plane.h"
+#include "geometry/numbers/errors.h"
+#include "reconstruct/polygons/ring_linker.h"
+#include "sweep/segments/edge_sides.h"
 
-namespace sightline {
+namespace sightline::inline reflect {
 namespace {
 
 // The segments of one surface, and the nearest of them left of a point.
@@ -139,4 +139,4 @@ void find_splits(VisibleSegments& reflecting, const Mesh& mesh, const ProjectedS
   reflecting.splits.erase(std::unique(reflecting.splits.begin(), reflecting.splits.end()), reflecting.splits.end());
 }
 
-}  // namespace sightline
+}  // namespace sightline::inline reflect

@@ -7,10 +7,10 @@
 
 #include <span>
 
-#include "geometry/mesh.h"
+#include "geometry/mesh/mesh.h"
 #include "reflect/merged_scene.h"
 
-namespace sightline {
+namespace sightline::inline reflect {
 
 struct SurfacePiece {
   FacetId surface;
@@ -26,4 +26,4 @@ struct SurfacePiece {
 void find_splits(VisibleSegments& reflecting, const Mesh& mesh, const ProjectedScene& scene,
                  const VisibleSegments& visible);
 
-}  // namespace sightline
+}  // namespace sightline::inline reflect

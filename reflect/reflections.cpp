@@ -4,12 +4,12 @@
 #include <cmath>
 #include <limits>
 
-#include "reflect/mirror.h"
+#include "reflect/exact/mirror.h"
 #include "reflect/reflecting_border.h"
-#include "reflect/smooth_mirror.h"
-#include "sweep/image_points.h"
+#include "reflect/smooth/smooth_mirror.h"
+#include "sweep/segments/image_points.h"
 
-namespace sightline {
+namespace sightline::inline reflect {
 namespace {
 
 struct FoundPiece {
@@ -140,8 +140,8 @@ PanelBorders panel_borders(const Reflections& reflections) {
   return borders;
 }
 
-ReflectedView reflect(const MirrorWorld& world, const ProjectedScene& scene, const VisibleSegments& segments,
-                      const VisiblePolygons& polygons) {
+ReflectedView find_reflections(const MirrorWorld& world, const ProjectedScene& scene, const VisibleSegments& segments,
+                               const VisiblePolygons& polygons) {
   return with_invariants_of(scene.arithmetic, [&] {
     return world.options.mode == ReflectionMode::smooth
                ? Reflection<SmoothMirror>(world, scene, segments, polygons).run()
@@ -149,4 +149,4 @@ ReflectedView reflect(const MirrorWorld& world, const ProjectedScene& scene, con
   });
 }
 
-}  // namespace sightline
+}  // namespace sightline::inline reflect

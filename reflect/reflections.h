@@ -16,10 +16,10 @@
 
 #include <vector>
 
-#include "reconstruct/labelled_mesh.h"
-#include "reflect/mirror_world.h"
+#include "reconstruct/labelling/labelled_mesh.h"
+#include "reflect/world/mirror_world.h"
 
-namespace sightline {
+namespace sightline::inline reflect {
 
 struct PanelReflection {
   VisibleSegments segments;  // the borders of the reflecting polygons; their points are the merged scene's
@@ -38,10 +38,10 @@ struct ReflectedView {
   Reflections reflections;
 };
 
-[[nodiscard]] ReflectedView reflect(const MirrorWorld& world, const ProjectedScene& scene,
-                                    const VisibleSegments& segments, const VisiblePolygons& polygons);
+[[nodiscard]] ReflectedView find_reflections(const MirrorWorld& world, const ProjectedScene& scene,
+                                             const VisibleSegments& segments, const VisiblePolygons& polygons);
 
 // Of the reflecting polygons above resolution: what label_mesh wants to know.
 [[nodiscard]] PanelBorders panel_borders(const Reflections& reflections);
 
-}  // namespace sightline
+}  // namespace sightline::inline reflect

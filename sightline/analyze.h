@@ -3,16 +3,16 @@
 // Source: DESIGN.md section 2. Errors: InternalError; in float and double ArithmeticError instead.
 #pragma once
 
-#include "geometry/camera.h"
-#include "geometry/culling.h"
-#include "geometry/mesh.h"
-#include "geometry/projected_scene.h"
-#include "reconstruct/labelled_mesh.h"
-#include "reconstruct/visible_polygons.h"
-#include "reflect/reflecting_triangles.h"
+#include "geometry/mesh/mesh.h"
+#include "geometry/projection/camera.h"
+#include "geometry/projection/culling.h"
+#include "geometry/projection/projected_scene.h"
+#include "reconstruct/labelling/labelled_mesh.h"
+#include "reconstruct/polygons/visible_polygons.h"
 #include "reflect/reflections.h"
+#include "reflect/triangles/reflecting_triangles.h"
 #include "sweep/engine.h"
-#include "sweep/visible_segments.h"
+#include "sweep/segments/visible_segments.h"
 
 namespace sightline {
 
@@ -49,7 +49,7 @@ struct View {
     view.reflections = reflecting_triangles(world, camera, view.labelled);
     return view;
   }
-  ReflectedView reflected = reflect(world, view.scene, view.segments, view.polygons);
+  ReflectedView reflected = find_reflections(world, view.scene, view.segments, view.polygons);
   view.scene = std::move(reflected.scene);
   view.segments = std::move(reflected.segments);
   view.reflections = std::move(reflected.reflections);

@@ -5,17 +5,17 @@
 #include <atomic>
 #include <mutex>
 
-#include "geometry/parallel.h"
-#include "sweep/bands.h"
-#include "sweep/covers.h"
-#include "sweep/facet_outline.h"
-#include "sweep/joined_segments.h"
-#include "sweep/large_covers.h"
-#include "sweep/roles.h"
-#include "sweep/scene_part.h"
-#include "sweep/whole_surfaces.h"
+#include "geometry/numbers/parallel.h"
+#include "sweep/bands/bands.h"
+#include "sweep/bands/joined_segments.h"
+#include "sweep/bands/scene_part.h"
+#include "sweep/fast/covers.h"
+#include "sweep/fast/facet_outline.h"
+#include "sweep/fast/large_covers.h"
+#include "sweep/fast/roles.h"
+#include "sweep/fast/whole_surfaces.h"
 
-namespace sightline {
+namespace sightline::inline sweep {
 namespace {
 
 constexpr int highest_level = 11;
@@ -114,7 +114,7 @@ VisibleSegments swept_band(const Mesh& mesh, const ProjectedScene& scene, const 
   const ScenePart part = part_of(scene, continuation, facets);
   observers.expect(part.point.size());
   BandObservers::Band observer(observers, part);
-  return in_whole(scene, part, sweep(mesh, part.scene, depths, observers.is_watched() ? &observer : nullptr));
+  return in_whole(scene, part, plain_sweep(mesh, part.scene, depths, observers.is_watched() ? &observer : nullptr));
 }
 
 std::vector<VisibleSegments> swept_bands(const Mesh& mesh, const ProjectedScene& scene,
@@ -132,7 +132,7 @@ std::vector<VisibleSegments> swept_bands(const Mesh& mesh, const ProjectedScene&
 
 VisibleSegments fast_visible_segments(const Mesh& mesh, const ProjectedScene& scene, const FastOptions& options,
                                       SweepObserver* observer) {
-  if (scene.arithmetic != Arithmetic::exact) return sweep(mesh, scene, observer);
+  if (scene.arithmetic != Arithmetic::exact) return plain_sweep(mesh, scene, observer);
   const Continuation continuation(scene);
   const std::vector<DepthRange> depths = depth_ranges(mesh, scene);
   std::vector<std::uint8_t> behind_large = hidden_behind_large_facets(scene, depths);
@@ -148,7 +148,7 @@ VisibleSegments fast_visible_segments(const Mesh& mesh, const ProjectedScene& sc
 
 VisibleSegments find_visible_segments(const Mesh& mesh, const ProjectedScene& scene, Engine engine,
                                       SweepObserver* observer) {
-  return engine == Engine::full ? sweep(mesh, scene, observer) : fast_visible_segments(mesh, scene, {}, observer);
+  return engine == Engine::full ? plain_sweep(mesh, scene, observer) : fast_visible_segments(mesh, scene, {}, observer);
 }
 
-}  // namespace sightline
+}  // namespace sightline::inline sweep

@@ -15,9 +15,9 @@
 #include <cstdint>
 #include <optional>
 
-#include "sweep/sweep.h"
+#include "sweep/plain/sweep.h"
 
-namespace sightline {
+namespace sightline::inline sweep {
 
 enum class Engine : std::uint8_t { fast, full };
 
@@ -32,4 +32,4 @@ struct FastOptions {
 [[nodiscard]] VisibleSegments fast_visible_segments(const Mesh& mesh, const ProjectedScene& scene,
                                                     const FastOptions& options, SweepObserver* observer = nullptr);
 
-}  // namespace sightline
+}  // namespace sightline::inline sweep

@@ -1,9 +1,9 @@
 // The depth of facets: the part of StepPredicates that follows DepthOrder (depth_order.h) through its cases.
-#include "geometry/facet_plane.h"
-#include "geometry/unfiltered.h"
+#include "geometry/mesh/facet_plane.h"
+#include "geometry/projection/unfiltered.h"
 #include "trace/step_predicates.h"
 
-namespace sightline {
+namespace sightline::trace {
 
 void StepPredicates::add_depth(FacetId f, FacetId g) {
   const bool nearer = depth_.nearer(f, g);
@@ -79,4 +79,4 @@ WholeId StepPredicates::whole_of(FacetId f) const {
   return mesh_.is_cut() ? mesh_.cuts.whole_of[f.index()] : WholeId(f.index());
 }
 
-}  // namespace sightline
+}  // namespace sightline::trace

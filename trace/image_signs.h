@@ -5,9 +5,9 @@
 
 #include <optional>
 
-#include "sweep/image_decisions.h"
+#include "sweep/segments/image_decisions.h"
 
-namespace sightline {
+namespace sightline::trace {
 
 struct ImageSign {
   Sign sign = 0;
@@ -40,4 +40,4 @@ template <class Ask>
   });
 }
 
-}  // namespace sightline
+}  // namespace sightline::trace

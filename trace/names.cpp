@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace sightline {
+namespace sightline::trace {
 
 namespace {
 
@@ -58,4 +58,4 @@ std::string listed(const std::vector<std::string>& words) {
   return text;
 }
 
-}  // namespace sightline
+}  // namespace sightline::trace

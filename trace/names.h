@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "geometry/mesh.h"
-#include "geometry/projected_scene.h"
+#include "geometry/mesh/mesh.h"
+#include "geometry/projection/projected_scene.h"
 
-namespace sightline {
+namespace sightline::trace {
 
 struct SceneNames {
   std::vector<std::string> vertices;   // by vertex; those beyond have none
@@ -40,4 +40,4 @@ struct SceneNames {
 // "a", "a and b", "a, b and c".
 [[nodiscard]] std::string listed(const std::vector<std::string>& words);
 
-}  // namespace sightline
+}  // namespace sightline::trace

@@ -5,7 +5,7 @@
 
 #include "trace/image_signs.h"
 
-namespace sightline {
+namespace sightline::trace {
 
 StepPredicates::StepPredicates(const Mesh& mesh, const SweepLog& log, const SceneNames& names)
     : mesh_(mesh),
@@ -169,4 +169,4 @@ const char* StepPredicates::integers() const {
   return scene_.arithmetic == Arithmetic::exact ? "integers" : to_string(scene_.arithmetic);
 }
 
-}  // namespace sightline
+}  // namespace sightline::trace

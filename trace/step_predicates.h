@@ -20,13 +20,13 @@
 #include <span>
 #include <vector>
 
-#include "geometry/mesh.h"
-#include "sweep/depth_order.h"
-#include "sweep/depth_ranges.h"
+#include "geometry/mesh/mesh.h"
+#include "sweep/plain/depth_order.h"
+#include "sweep/plain/depth_ranges.h"
 #include "trace/names.h"
 #include "trace/sweep_log.h"
 
-namespace sightline {
+namespace sightline::trace {
 
 class StepPredicates {
  public:
@@ -71,4 +71,4 @@ class StepPredicates {
   std::vector<LoggedPredicate> found_;
 };
 
-}  // namespace sightline
+}  // namespace sightline::trace

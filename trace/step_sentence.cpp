@@ -4,7 +4,7 @@
 
 #include "trace/names.h"
 
-namespace sightline {
+namespace sightline::trace {
 
 namespace {
 
@@ -115,4 +115,4 @@ std::string sentence_of(const SweepStep& step, const SweepLog& log, std::span<co
          of_visibility(step, log, after) + of_segments(step);
 }
 
-}  // namespace sightline
+}  // namespace sightline::trace

@@ -9,8 +9,8 @@
 
 #include "trace/sweep_log.h"
 
-namespace sightline {
+namespace sightline::trace {
 
 [[nodiscard]] std::string sentence_of(const SweepStep& step, const SweepLog& log, std::span<const LoggedBundle> after);
 
-}  // namespace sightline
+}  // namespace sightline::trace

@@ -1,6 +1,6 @@
 #include "trace/sweep_log.h"
 
-namespace sightline {
+namespace sightline::trace {
 
 const char* to_string(PointKind kind) {
   switch (kind) {
@@ -16,4 +16,4 @@ const char* to_string(PointKind kind) {
   return "";
 }
 
-}  // namespace sightline
+}  // namespace sightline::trace

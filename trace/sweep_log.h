@@ -12,10 +12,10 @@
 #include <string>
 #include <vector>
 
-#include "geometry/projected_scene.h"
-#include "sweep/sweep_state.h"
+#include "geometry/projection/projected_scene.h"
+#include "sweep/plain/sweep_state.h"
 
-namespace sightline {
+namespace sightline::trace {
 
 // Fang's figure 5.6. A vertex that lies on an edge which goes on is what its own edges make of it.
 enum class PointKind : std::uint8_t { top, side, bottom, crossing };
@@ -107,4 +107,4 @@ struct SweepLog {
   std::string broken;  // the invariant at which it ended, in float and double; empty: it did not
 };
 
-}  // namespace sightline
+}  // namespace sightline::trace

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <set>
 
-#include "geometry/facet_plane.h"
+#include "geometry/mesh/facet_plane.h"
 #include "trace/step_sentence.h"
 
-namespace sightline {
+namespace sightline::trace {
 
 namespace {
 
@@ -178,4 +178,4 @@ FacetId SweepRecorder::topmost_surface(const LoggedBundle& bundle) const {
   return bundle.nodes.empty() ? FacetId() : surface_of(mesh_, bundle.nodes.front());
 }
 
-}  // namespace sightline
+}  // namespace sightline::trace

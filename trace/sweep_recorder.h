@@ -8,13 +8,13 @@
 
 #include <vector>
 
-#include "geometry/errors.h"
-#include "geometry/mesh.h"
-#include "sweep/sweep.h"
+#include "geometry/mesh/mesh.h"
+#include "geometry/numbers/errors.h"
+#include "sweep/plain/sweep.h"
 #include "trace/step_predicates.h"
 #include "trace/sweep_log.h"
 
-namespace sightline {
+namespace sightline::trace {
 
 class TooManySteps : public Error {
   using Error::Error;
@@ -50,4 +50,4 @@ class SweepRecorder : public SweepObserver {
   std::size_t threads_ = 0;
 };
 
-}  // namespace sightline
+}  // namespace sightline::trace

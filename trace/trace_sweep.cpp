@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "geometry/facet_plane.h"
-#include "reconstruct/visible_polygons.h"
+#include "geometry/mesh/facet_plane.h"
+#include "reconstruct/polygons/visible_polygons.h"
 
-namespace sightline {
+namespace sightline::trace {
 
 namespace {
 
@@ -41,11 +41,11 @@ SweepLog trace_sweep(const Mesh& mesh, ProjectedScene scene, const SceneNames& n
   if (log.scene.points.size() > most_points) throw TooManySteps("the sweep has too many points to be traced");
   SweepRecorder recorder(mesh, names, most_points, log);
   try {
-    add_rings(mesh, sweep(mesh, log.scene, &recorder), log);
+    add_rings(mesh, plain_sweep(mesh, log.scene, &recorder), log);
   } catch (const ArithmeticError& error) {
     log.broken = error.broken();
   }
   return log;
 }
 
-}  // namespace sightline
+}  // namespace sightline::trace

@@ -12,11 +12,11 @@
 #include "trace/sweep_log.h"
 #include "trace/sweep_recorder.h"
 
-namespace sightline {
+namespace sightline::trace {
 
 constexpr std::size_t most_traced_points = 5000;
 
 [[nodiscard]] SweepLog trace_sweep(const Mesh& mesh, ProjectedScene scene, const SceneNames& names = {},
                                    std::size_t most_points = most_traced_points);
 
-}  // namespace sightline
+}  // namespace sightline::trace

@@ -23,10 +23,10 @@ function pieces(name, text) {
 export function pageSource(templates) {
   const cases = templates.map(({ name }) => `  if (page == PageName::${name}) return ${name}_pieces;\n`);
   return [
-    '#include "cli/page_template.h"\n\nnamespace sightline {\n\nnamespace {\n',
+    '#include "cli/pages/page_template.h"\n\nnamespace sightline::cli {\n\nnamespace {\n',
     ...templates.map(({ name, text }) => pieces(name, text)),
     "}  // namespace\n\nstd::span<const char* const> page_pieces(PageName page) {\n",
     ...cases,
-    "  return {};\n}\n\n}  // namespace sightline\n",
+    "  return {};\n}\n\n}  // namespace sightline::cli\n",
   ].join("\n");
 }

@@ -1,8 +1,8 @@
 // In the place of the pages, where they could not be bundled.
-#include "cli/page_template.h"
+#include "cli/pages/page_template.h"
 
-namespace sightline {
+namespace sightline::cli {
 
 std::span<const char* const> page_pieces(PageName) { return {}; }
 
-}  // namespace sightline
+}  // namespace sightline::cli

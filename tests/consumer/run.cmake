@@ -10,7 +10,7 @@ if(PROJECT STREQUAL "find_package")
 endif()
 run(${CMAKE_COMMAND} -G Ninja -S "${CMAKE_CURRENT_LIST_DIR}/${PROJECT}" -B "${WORK}/build"
   "-DCMAKE_PREFIX_PATH=${WORK}/prefix" "-DCMAKE_CXX_COMPILER=${COMPILER}" "-DCMAKE_CXX_FLAGS=${FLAGS}"
-  -DSIGHTLINE_PRECOMPILE_HEADERS=ON)
+  -DSIGHTLINE_UNITY_BUILD=ON)
 run(${CMAKE_COMMAND} --build "${WORK}/build" --target consumer)
 
 execute_process(COMMAND "${WORK}/build/consumer" OUTPUT_VARIABLE output COMMAND_ERROR_IS_FATAL ANY)

@@ -8,7 +8,7 @@ namespace {
 // The first few, in one text.
 std::string some(Complaints complaints) {
   if (complaints.size() > 5) complaints.resize(5);
-  return oracle::joined(complaints);
+  return lattice::joined(complaints);
 }
 
 // Areas stay equal, as rationals. But faces that overlap in the rounded image only have no depth order, and there the

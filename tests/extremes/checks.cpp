@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <sstream>
 
-#include "oracle/truth.h"
-#include "tests/oracle/labelled_laws.h"
-#include "tests/oracle/ray_caster.h"
-#include "tests/oracle/scene_changes.h"
+#include "oracle/judging/labelled_laws.h"
+#include "oracle/judging/ray_caster.h"
+#include "oracle/judging/scene_changes.h"
+#include "oracle/truth/truth.h"
 
 namespace sightline::extremes {
 namespace {
@@ -33,7 +33,7 @@ std::vector<ImagePoint> rays_beside_corners(const ProjectedScene& scene, std::si
 }
 
 std::vector<ImagePoint> chosen_rays(const ProjectedScene& scene) {
-  std::vector<ImagePoint> rays = oracle::fixed_rays(scene.grid_bits, ray_count);
+  std::vector<ImagePoint> rays = lattice::fixed_rays(scene.grid_bits, ray_count);
   const std::vector<ImagePoint> beside = rays_beside_corners(scene, ray_count);
   rays.insert(rays.end(), beside.begin(), beside.end());
   const std::int64_t half = std::int64_t{1} << static_cast<unsigned>(scene.grid_bits);
@@ -43,13 +43,13 @@ std::vector<ImagePoint> chosen_rays(const ProjectedScene& scene) {
 }
 
 // Keeps the hits of the rays that have no border within a grid unit: the eight grid points around see the same facets.
-void mark_near_edges(std::vector<oracle::RayHits>& hits, const ProjectedScene& scene,
+void mark_near_edges(std::vector<lattice::RayHits>& hits, const ProjectedScene& scene,
                      const std::vector<ImagePoint>& rays) {
   for (int dx = -1; dx <= 1; ++dx) {
     for (int dy = -1; dy <= 1; ++dy) {
       std::vector<ImagePoint> moved = rays;
       for (ImagePoint& p : moved) p = {p.x + dx, p.y + dy};
-      const auto there = oracle::cast(scene, moved);
+      const auto there = lattice::cast(scene, moved);
       for (std::size_t r = 0; r < rays.size(); ++r) {
         hits[r].on_edge |= there[r].on_edge || there[r].facets != hits[r].facets;
       }
@@ -72,23 +72,23 @@ std::string number(const Rational& value) {
 }  // namespace
 
 Complaints complaints_of_stages_and_laws(const Mesh& mesh, const View& view) {
-  Complaints complaints = oracle::complaints_of_stages(mesh, view);
-  append(complaints, oracle::input_vertices_kept(mesh, view.labelled));
-  append(complaints, oracle::areas_kept(mesh, view.labelled));
-  if (oracle::is_closed(mesh) && !oracle::is_closed(view.labelled)) complaints.push_back("the surface is open now");
+  Complaints complaints = lattice::complaints_of_stages(mesh, view);
+  append(complaints, lattice::input_vertices_kept(mesh, view.labelled));
+  append(complaints, lattice::areas_kept(mesh, view.labelled));
+  if (lattice::is_closed(mesh) && !lattice::is_closed(view.labelled)) complaints.push_back("the surface is open now");
   return complaints;
 }
 
 RayTally compare_rays(const Mesh& mesh, const View& view) {
   const std::vector<ImagePoint> rays = chosen_rays(view.scene);
-  auto hits = oracle::cast(view.scene, rays);
+  auto hits = lattice::cast(view.scene, rays);
   mark_near_edges(hits, view.scene, rays);
-  const auto polygons = oracle::polygons_around(view, rays);
+  const auto polygons = lattice::polygons_around(view, rays);
   RayTally tally;
   for (std::size_t r = 0; r < rays.size(); ++r) {
     if (hits[r].on_edge) continue;
     auto& facets = hits[r].facets;
-    if (facets.size() > 1) oracle::sort_by_depth(facets, mesh, view.scene, rays[r]);
+    if (facets.size() > 1) lattice::sort_by_depth(facets, mesh, view.scene, rays[r]);
     std::vector<FaceId> expected;
     if (!facets.empty()) expected.push_back(mesh.facet_face[facets.front().index()]);
     std::vector<FaceId> shown;
@@ -103,8 +103,8 @@ RayTally compare_rays(const Mesh& mesh, const View& view) {
 }
 
 std::vector<Rational> areas_when_shuffled(const Mesh& mesh, const Sight& before, std::uint64_t seed) {
-  oracle::Dice dice(seed);
-  const oracle::Shuffled shuffled = oracle::with_faces_shuffled(mesh, dice);
+  lattice::Dice dice(seed);
+  const lattice::Shuffled shuffled = lattice::with_faces_shuffled(mesh, dice);
   const SidesPolicy policy = before.sides == Sides::front ? SidesPolicy::front : SidesPolicy::both;
   const std::vector<Rational> after = sight(shuffled.mesh, before.camera, policy).areas;
   std::vector<Rational> put_back(after.size());

@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "cli/scene_file.h"
-#include "geometry/clipping.h"
-#include "geometry/interpenetration.h"
-#include "geometry/obj_reader.h"
+#include "cli/scene/scene_file.h"
+#include "formats/reading/obj_reader.h"
+#include "geometry/cutting/interpenetration.h"
+#include "geometry/projection/clipping.h"
 
 namespace sightline::extremes {
 
 ExtremeScene read_extreme(const std::string& name) {
-  const Scene scene = read_scene_file(SIGHTLINE_FIXTURES_DIR "/extremes/" + name + ".toml");
+  const cli::Scene scene = cli::read_scene_file(SIGHTLINE_FIXTURES_DIR "/extremes/" + name + ".toml");
   return {read_obj(std::filesystem::path(scene.mesh_file)).mesh, scene.sides, scene.cameras};
 }
 
@@ -20,7 +20,7 @@ Sight sight(const Mesh& mesh, const Camera& camera, SidesPolicy policy) {
   const Sides sides = decide_sides(mesh, contacts, camera, policy).sides;
   Sight result{camera, sides, analyze(mesh, camera, sides), {}};
   const Rational unit(1, boost::multiprecision::cpp_int(1) << static_cast<unsigned>(2 * result.view.scene.grid_bits));
-  result.areas = oracle::visible_areas(mesh, result.view);
+  result.areas = lattice::visible_areas(mesh, result.view);
   for (Rational& area : result.areas) area *= unit;
   return result;
 }

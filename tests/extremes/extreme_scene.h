@@ -6,13 +6,13 @@
 #include <string_view>
 #include <vector>
 
-#include "geometry/culling.h"
+#include "geometry/projection/culling.h"
+#include "oracle/judging/judge.h"
 #include "sightline/analyze.h"
-#include "tests/oracle/judge.h"
 
 namespace sightline::extremes {
 
-using oracle::Complaints;
+using lattice::Complaints;
 
 struct ExtremeScene {
   Mesh mesh;

@@ -1,0 +1,38 @@
+# What sightline_side_by_side measures beside sightline, each where it is installed (on Debian: libtinyobjloader-dev,
+# libembree-dev, libcgal-dev, libgl2ps-dev). Each is an object library of its own, for what it asks of the compiler.
+find_path(TINYOBJLOADER_INCLUDE_DIR tiny_obj_loader.h)
+find_path(EMBREE_INCLUDE_DIR embree3/rtcore.h)
+find_library(EMBREE_LIBRARY embree3)
+find_path(GL2PS_INCLUDE_DIR gl2ps.h)
+find_library(GL2PS_LIBRARY gl2ps)
+find_package(CGAL 5.0 QUIET)
+
+add_library(sightline_rivals INTERFACE)
+
+# name, folder of its headers, libraries; where one of these was not found it is left out.
+function(sightline_add_rival name include_folder)
+  set(target sightline_rival_${name})
+  add_library(${target} OBJECT rivals/rival_${name}.cpp)
+  target_link_libraries(${target} PUBLIC sightline::sightline)
+  sightline_compile_options(${target})
+  target_link_libraries(sightline_rivals INTERFACE ${target} $<TARGET_OBJECTS:${target}>)
+  foreach(needed IN ITEMS "${include_folder}" ${ARGN})
+    if(NOT needed)
+      message(STATUS "sightline: ${name} is not installed, sightline_side_by_side leaves it out")
+      return()
+    endif()
+  endforeach()
+  string(TOUPPER ${name} upper_name)
+  target_compile_definitions(${target} PRIVATE SIGHTLINE_BENCH_${upper_name})
+  target_include_directories(${target} SYSTEM PRIVATE "${include_folder}")
+  target_link_libraries(${target} PUBLIC ${ARGN})
+endfunction()
+
+sightline_add_rival(tinyobjloader "${TINYOBJLOADER_INCLUDE_DIR}")
+sightline_add_rival(embree "${EMBREE_INCLUDE_DIR}" "${EMBREE_LIBRARY}")
+sightline_add_rival(gl2ps "${GL2PS_INCLUDE_DIR}" "${GL2PS_LIBRARY}")
+if(TARGET CGAL::CGAL)
+  sightline_add_rival(cgal "${CGAL_INCLUDE_DIRS}" CGAL::CGAL)
+else()
+  sightline_add_rival(cgal CGAL-NOTFOUND)
+endif()

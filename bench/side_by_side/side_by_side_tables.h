@@ -1,0 +1,20 @@
+// What was measured, as Markdown tables.
+//
+// In:  results. Out: text. Complexity: O(text). Errors: none.
+#pragma once
+
+#include <string>
+
+#include "bench/side_by_side/command_figures.h"
+#include "bench/side_by_side/side_by_side_results.h"
+
+namespace sightline::bench {
+
+// A heading, the times, the ratios, and the rows for CGAL.
+[[nodiscard]] std::string family_tables(const FamilyResult& result);
+
+[[nodiscard]] std::string reflection_table(std::size_t triangles, const ReflectionFigures& figures);
+[[nodiscard]] std::string threads_table(std::size_t triangles, const ThreadFigures& figures);
+[[nodiscard]] std::string writing_table(std::size_t triangles, const WritingFigures& figures);
+
+}  // namespace sightline::bench

@@ -1,0 +1,37 @@
+// What one view of a scene costs sightline: time per stage, and memory.
+//
+// In:  a scene, the arithmetic, limits.
+// Out: work to be run in a process of its own, where it finds no memory that an earlier one has left; and of its outcome
+//      the figures, in seconds of processor time. Memory is the peak above what the mesh holds before the first stage, per
+//      facet.
+// Complexity: of the stages. Errors: none; an error of a stage makes the figures `failed`.
+#pragma once
+
+#include "bench/measuring/figure.h"
+#include "bench/scenes/side_by_side_scenes.h"
+#include "geometry/numbers/arithmetic.h"
+
+namespace sightline::bench {
+
+struct ViewFigures {
+  Figure project;
+  Figure sweep;
+  Figure polygons;
+  Figure label;
+  Figure sum;
+  Figure bytes_per_triangle;
+};
+
+// The work refers to the scene.
+[[nodiscard]] Work view_work(const BenchScene& scene, Arithmetic arithmetic = Arithmetic::exact);
+[[nodiscard]] ViewFigures view_figures(const Outcome& outcome, const RunLimits& limits);
+
+// What a square lamp over a terrain costs, all of which is seen from above: the reflection, and the view without it.
+struct ReflectionFigures {
+  Figure reflection;
+  Figure visibility;
+};
+
+[[nodiscard]] ReflectionFigures measure_reflection(std::size_t triangles, const RunLimits& limits);
+
+}  // namespace sightline::bench

@@ -1,0 +1,13 @@
+// compare.html: what each peer does, what it got, and what that cost; the pictures and the plot beside it.
+#pragma once
+
+#include <string>
+
+#include "cli/compare/comparison.h"
+
+namespace sightline::cli {
+
+// HTML; the pictures are files beside it (picture_name).
+[[nodiscard]] std::string compare_page(const Comparison& comparison);
+
+}  // namespace sightline::cli

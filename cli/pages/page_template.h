@@ -1,0 +1,32 @@
+// The pages that the command writes: one self-contained HTML file each, bundled from web/ when the command was built.
+//
+// In:  data, packed (page_data.h): one block, or several with a line end between them. Out: the page with the data in it.
+// Holds: packed data has none of HTML's characters, so whatever names are in it stay text.
+// Errors: PageError where the command was built without pages.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "geometry/numbers/errors.h"
+
+namespace sightline::cli {
+
+class PageError : public Error {
+  using Error::Error;
+};
+
+// A folder of this name is in web/.
+enum class PageName : std::uint8_t { report, trace };
+
+// To be asked before the work that the page would show.
+void require_page(PageName page);
+
+[[nodiscard]] std::string page_with_data(PageName page, std::string_view packed_data);
+
+// The template in pieces, made by web/build.mjs; none where the command was built without it.
+[[nodiscard]] std::span<const char* const> page_pieces(PageName page);
+
+}  // namespace sightline::cli

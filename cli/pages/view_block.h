@@ -1,0 +1,37 @@
+// What the page of the report knows of one camera, as arrays (array_block.h).
+//
+// positions (f32, x y z in units of the ball's radius, from its centre), corners (u32, three per triangle), triangle_face (u32),
+// triangle_state (u8: bits 0 and 1 the label, bit 2 seen, bits 3 to 5 whether the edge from corner 0, 1, 2 to the next
+// is a piece of an edge of its face), triangle_panels (u64, where there are panels: the panels that it mirrors).
+// image_points (f32, x y in the window), ring_points (u32, into them), ring_sizes (u32), polygon_rings (u32: how many),
+// polygon_face (u32), polygon_colour (u8, r g b): the visible polygons above resolution, as view.svg has them.
+// Per face, as faces.csv has them: face_facing (u8, see FaceFacing), face_area (f64), face_image_area (f64),
+// face_reflecting_area (f64: all faces for the first panel, then for the next), and, as u64, what the bits of a number
+// differ from those of another one that it mostly equals, for the sake of compression: face_in_view_area from face_area,
+// face_visible_area from face_in_view_area, face_visible_image_area from face_image_area.
+// Complexity: O(n log k) for faces of k triangles.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/results/face_measures.h"
+#include "geometry/mesh/mesh.h"
+#include "sightline/analyze.h"
+
+namespace sightline::cli {
+
+// What the page shows is turned and measured in units of its size: so the numbers of a graphics card do for every input.
+struct Ball {
+  Point3 centre;
+  double radius = 1;  // the largest half extent
+};
+
+// Which triangles are in the block.
+enum class HeldTriangles : std::uint8_t { all, seen };
+
+// places: window_points(view). faces: measure_faces(mesh, view).
+[[nodiscard]] std::string view_block(const Mesh& mesh, const View& view, const std::vector<Point2>& places,
+                                     const std::vector<FaceMeasures>& faces, const Ball& ball, HeldTriangles held);
+
+}  // namespace sightline::cli

@@ -1,0 +1,128 @@
+#include "cli/stability/stability_run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "cli/system/resources.h"
+#include "oracle/truth/truth.h"
+#include "sightline/analyze.h"
+#include "sweep/segments/image_points.h"
+
+namespace sightline::cli {
+
+namespace {
+
+constexpr int timed_repeats = 5;
+
+View view_of(const StabilityScene& scene, Arithmetic arithmetic) {
+  View view;
+  view.scene = project(scene.mesh, scene.camera, Sides::both, {arithmetic, scene.grid_bits});
+  view.segments = plain_sweep(scene.mesh, view.scene);
+  view.polygons = reconstruct_polygons(scene.mesh, view.scene, view.segments);
+  return view;
+}
+
+View timed_view(const StabilityScene& scene, Arithmetic arithmetic, double& seconds) {
+  View view;
+  seconds = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < timed_repeats; ++i) {
+    const Stopwatch watch;
+    view = view_of(scene, arithmetic);
+    seconds = std::min(seconds, watch.seconds());
+  }
+  return view;
+}
+
+std::string first_of(const char* stage, const std::vector<std::string>& messages) {
+  return messages.empty() ? "" : stage + (": " + messages.front());
+}
+
+// Each stage is looked at only where those before it are valid.
+std::string broken_invariant(const Mesh& mesh, View& view) {
+  std::string broken = first_of("scene", validate(view.scene));
+  if (broken.empty()) broken = first_of("segments", validate(view.segments, view.scene));
+  if (broken.empty()) broken = first_of("polygons", validate(view.polygons, mesh, view.scene, view.segments));
+  if (!broken.empty()) return broken;
+  view.labelled = label_mesh(mesh, view.scene, view.segments, view.polygons);
+  return first_of("labelled", validate(view.labelled, mesh, view.scene));
+}
+
+oracle::Rational window_units(const Wide512& numerator, const Wide512& denominator, int grid_bits) {
+  return {BigInteger(numerator), BigInteger(denominator) << static_cast<unsigned>(grid_bits)};
+}
+
+std::vector<oracle::Claim> claims_of(const View& view) {
+  const ImagePoints points(view.scene, view.segments);
+  std::vector<oracle::Claim> claims;
+  for (const VisiblePolygon& polygon : view.polygons.polygons) {
+    oracle::Claim claim{polygon.face, {}};
+    for (std::size_t r = 0; r < polygon.ring_count; ++r) {
+      claim.rings.emplace_back();
+      for (const SegmentId s : view.polygons.ring(polygon.first_ring + r)) {
+        const ExactPoint p = points.exact(view.segments.segments[s.index()].start);
+        claim.rings.back().push_back({window_units(p.x, p.denominator, view.scene.grid_bits),
+                                      window_units(p.y, p.denominator, view.scene.grid_bits)});
+      }
+    }
+    claims.push_back(std::move(claim));
+  }
+  return claims;
+}
+
+double part_of_window(const oracle::Rational& area) { return oracle::Rational(area / 4).convert_to<double>(); }
+
+void compare_with_truth(const StabilityScene& scene, const View& view, StabilityRun& run) {
+  const oracle::Comparison comparison = oracle::compare(scene.mesh, scene.camera, Sides::both, claims_of(view));
+  std::vector<oracle::Rational> areas(scene.mesh.face_count());
+  for (std::size_t p = 0; p < view.polygons.polygons.size(); ++p) {
+    areas[view.polygons.polygons[p].face.index()] += exact_area(view.scene, view.segments, view.polygons, p);
+  }
+  const oracle::Rational unit(BigInteger(1), BigInteger(1) << static_cast<unsigned>(2 * view.scene.grid_bits));
+  oracle::Rational error = 0;
+  for (std::size_t f = 0; f < areas.size(); ++f) {
+    error += abs(oracle::Rational(areas[f] * unit - comparison.truth.visible_area[f]));
+  }
+  run.area_error = part_of_window(error);
+  run.mislabelled_area = part_of_window(comparison.mislabelled_area);
+}
+
+double grid_bound(const ProjectedScene& scene) {
+  const double shift = std::ldexp(std::sqrt(0.5), -scene.grid_bits);
+  double swept = 0;
+  for (std::size_t f = 0; f < scene.status.size(); ++f) {
+    const auto polygon = scene.polygon(FacetId(f));
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const ImagePoint& a = scene.point(polygon[i].point);
+      const ImagePoint& b = scene.point(polygon[i + 1 == polygon.size() ? 0 : i + 1].point);
+      const double length = std::hypot(static_cast<double>(b.x - a.x), static_cast<double>(b.y - a.y));
+      swept += (std::ldexp(length, -scene.grid_bits) + 4 * shift) * shift;
+    }
+  }
+  return swept / 4;
+}
+
+}  // namespace
+
+StabilityRun run_stability(const StabilityFamily& family, double value, Arithmetic arithmetic) {
+  const StabilityScene scene = family.make(value);
+  StabilityRun run;
+  run.value = value;
+  run.arithmetic = arithmetic;
+  run.grid_bits = scene.grid_bits;
+  run.faces = scene.mesh.face_count();
+  run.grid_bound = grid_bound(project(scene.mesh, scene.camera, Sides::both, {Arithmetic::exact, scene.grid_bits}));
+  try {
+    View view = timed_view(scene, arithmetic, run.seconds);
+    run.finished = true;
+    compare_with_truth(scene, view, run);
+    run.broken = broken_invariant(scene.mesh, view);
+  } catch (const ArithmeticError& error) {
+    run.broken = error.broken();
+  } catch (const InternalError& error) {
+    run.broken = std::string("internal error: ") + error.what();
+  }
+  return run;
+}
+
+}  // namespace sightline::cli

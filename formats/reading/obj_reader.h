@@ -1,0 +1,60 @@
+// Wavefront OBJ: the vertices and faces of a file, as a mesh.
+//
+// In:  the statements `v x y z` and `f v[/[vt][/[vn]]] ...`, and `vn x y z` where normals are asked for; everything else
+//      is passed over, and no other file is ever opened (mtllib, call).
+// Out: the mesh, with every coordinate the correctly rounded double of what the file says, and one line for each kind
+//      of thing that was skipped or mended (ids are face indices from 0).
+//
+// What is refused (InputError with file and line): an index that is no integer, is 0, or names no vertex; a coordinate
+// that is missing, no decimal number (a hexadecimal one is none), not finite, or beyond the range of double; UTF-16
+// text; a file in which no statement has an OBJ keyword; a file that cannot be read; a word of more than 2^20 bytes, a
+// face of more than 10 000 corners (see most_corners), more statements than the limit on memory allows. Lines may be of
+// any length: the file is read in pieces of 1 MiB, and what is held of it are its vertices and faces.
+//
+// What is skipped, counted and listed in a warning: faces with a Defect (see mesh.h); statements with a keyword that is
+// none, or that describes geometry not read here (curves, surfaces, call, fo), so also binary or NUL bytes outside v
+// and f. Texture and normal indices must be integers; one that names nothing (above its face) is a warning. Only where
+// normals are asked for does it matter what a `vn` says: then its numbers are read like those of `v`.
+//
+// Chosen where readers differ:
+//   - A positive index may name a vertex that follows further down (it means the same wherever the face stands). A
+//     negative one counts back from the vertices above it.
+//   - Columns of v after the third (w, colours) are not looked at.
+//   - Keywords are lower case, and end at a blank: `V`, `F`, `v1` are unknown keywords.
+//   - A backslash at the end of a line continues the statement on the next line, and separates like a blank. It does
+//     not continue a comment.
+//   - A file without faces is an empty scene, with a warning.
+//
+// Complexity: O(bytes), and build_mesh.
+// Why not tinyobjloader: by default it holds positions as float, and its variant for double does not round correctly:
+// of 10^5 random numbers in [0, 1) with 17 digits it reads 67 831 as another double. And it takes without complaint
+// what makes the geometry ambiguous: `v nan 0 0`, `v one 0 0` and `v 0x1p0 0 0` (all become 0), `v 1 0` (z becomes 0),
+// `v 0 1,5 0` (becomes 1), `v 1e999 0 0` (infinity), `f 1.0 2 3`, `f 1 2 4294967299` (becomes the third vertex), and
+// `f -1 -2 -4` with three vertices (becomes index -1).
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "formats/reading/obj_statements.h"
+#include "geometry/mesh/mesh.h"
+#include "geometry/numbers/errors.h"
+
+namespace sightline::inline formats {
+
+struct ObjFile {
+  Mesh mesh;
+  std::vector<Vector3> corner_normals;  // where asked for: parallel to mesh.faces.corners, zero where none is given
+  std::vector<std::string> warnings;    // "FILE: what", one line each
+};
+
+[[nodiscard]] ObjFile read_obj(const std::filesystem::path& file, const ReadLimits& limits = {},
+                               Normals normals = Normals::passed_over);
+
+// The same from text in memory; file_name is for messages.
+[[nodiscard]] ObjFile read_obj(std::string_view text, const std::string& file_name, const ReadLimits& limits = {},
+                               Normals normals = Normals::passed_over);
+
+}  // namespace sightline::inline formats

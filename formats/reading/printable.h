@@ -1,0 +1,12 @@
+// Bytes of an input file as they can stand in a message: one line, whatever they are.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace sightline::inline formats {
+
+// The first `most` bytes, and three dots if there are more; what is not printable ASCII as \xNN.
+[[nodiscard]] std::string printable(std::string_view text, std::size_t most = 40);
+
+}  // namespace sightline::inline formats

@@ -1,0 +1,42 @@
+// The places of points as text, for writers that name each point several times: a number is put into digits once.
+//
+// In:  window_points(view). Out: per point its x and its y, as TextBuffer writes them.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "formats/writing/text_buffer.h"
+#include "formats/writing/window_points.h"
+
+namespace sightline::inline formats {
+
+class PlaceTexts {
+ public:
+  explicit PlaceTexts(const std::vector<Point2>& places) {
+    TextBuffer text;
+    begin_.reserve(2 * places.size() + 1);
+    for (const Point2& place : places) {
+      for (const double coordinate : {place.x, place.y}) {
+        begin_.push_back(text.size());
+        text << coordinate;
+      }
+    }
+    begin_.push_back(text.size());
+    text_ = text.take();
+  }
+
+  [[nodiscard]] std::string_view x(PointId p) const { return number(2 * p.index()); }
+  [[nodiscard]] std::string_view y(PointId p) const { return number(2 * p.index() + 1); }
+
+ private:
+  [[nodiscard]] std::string_view number(std::size_t i) const {
+    return std::string_view(text_).substr(begin_[i], begin_[i + 1] - begin_[i]);
+  }
+
+  std::string text_;
+  std::vector<std::size_t> begin_;  // per coordinate and one more
+};
+
+}  // namespace sightline::inline formats

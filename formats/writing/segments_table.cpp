@@ -1,0 +1,58 @@
+#include "formats/writing/segments_table.h"
+
+#include <algorithm>
+
+#include "formats/writing/place_texts.h"
+
+namespace sightline::inline formats {
+
+namespace {
+
+// The mesh edge of the face that lies on the scene edge; invalid where there is none.
+MeshEdgeId edge_of_face(const Mesh& mesh, const ProjectedScene& scene, EdgeId edge, FaceId face) {
+  for (const EdgeSide& side : scene.sides_of(edge)) {
+    if (mesh.facet_face[side.facet.index()] == face && side.mesh_edge.valid()) return side.mesh_edge;
+  }
+  return {};
+}
+
+FaceId face_of(const Mesh& mesh, FacetId facet) { return facet.valid() ? mesh.facet_face[facet.index()] : FaceId{}; }
+
+// Of the segment's own face first, else of the face on its right.
+MeshEdgeId edge_under(const Mesh& mesh, const ProjectedScene& scene, const VisibleSegment& segment) {
+  const MeshEdgeId own = edge_of_face(mesh, scene, segment.edge, face_of(mesh, segment.facet));
+  if (own.valid() || !segment.other.valid()) return own;
+  return edge_of_face(mesh, scene, segment.edge, face_of(mesh, segment.other));
+}
+
+// By its ends. A piece of an edge of the input is named as that edge is.
+void write_edge(const Mesh& mesh, MeshEdgeId edge, TextBuffer& out) {
+  if (!edge.valid()) {
+    out << "border";
+    return;
+  }
+  const auto& ends = mesh.is_cut() ? mesh.cuts.input_edge[edge.index()] : mesh.edges[edge.index()];
+  if (!ends[0].valid()) {
+    out << "common";
+    return;
+  }
+  const auto [low, high] = std::minmax(ends[0], ends[1]);
+  out << low.value << '-' << high.value;
+}
+
+}  // namespace
+
+void write_segments_table(const Mesh& mesh, const View& view, const std::vector<Point2>& places, TextBuffer& out) {
+  const PlaceTexts texts(places);
+  out << "face,start_x,start_y,end_x,end_y,edge,other_face\n";
+  for (const VisibleSegment& segment : view.segments.segments) {
+    out << face_of(mesh, segment.facet).value << ',' << texts.x(segment.start) << ',' << texts.y(segment.start) << ','
+        << texts.x(segment.end) << ',' << texts.y(segment.end) << ',';
+    write_edge(mesh, edge_under(mesh, view.scene, segment), out);
+    out << ',';
+    if (segment.other.valid()) out << face_of(mesh, segment.other).value;
+    out << '\n';
+  }
+}
+
+}  // namespace sightline::inline formats

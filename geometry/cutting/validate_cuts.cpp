@@ -1,0 +1,136 @@
+#include "geometry/cutting/validate_cuts.h"
+
+#include <algorithm>
+#include <map>
+
+#include "geometry/cutting/facet_cutter.h"
+#include "geometry/mesh/facet_plane.h"
+#include "geometry/numbers/id_names.h"
+
+namespace sightline::inline geometry {
+namespace {
+
+using Messages = std::vector<std::string>;
+
+class CutsCheck {
+ public:
+  CutsCheck(const Mesh& mesh, Messages& messages) : mesh_(mesh), cuts_(mesh.cuts), messages_(messages) {}
+
+  void run() {
+    check_sizes();
+    if (!messages_.empty()) return;
+    check_points();
+    for (std::size_t f = 0; f < mesh_.facet_count(); ++f) check_piece(FacetId(f));
+    for (std::size_t w = 0; w < cuts_.wholes.size(); ++w) check_border(WholeId(w));
+    for (const auto& [a, b] : cuts_.crossing) {
+      check_apart(a, b);
+      check_apart(b, a);
+    }
+  }
+
+ private:
+  void require(bool holds, const std::string& what) {
+    if (!holds) messages_.push_back(what);
+  }
+
+  void check_sizes() {
+    require(cuts_.points.size() <= mesh_.vertices.size(), "cuts: more points than vertices");
+    require(cuts_.whole_of.size() == mesh_.facet_count(), "cuts: not one whole per facet");
+    require(cuts_.first_facet.size() == cuts_.wholes.size() + 1, "cuts: not one first facet per whole and one more");
+    require(cuts_.input_edge.size() == mesh_.edges.size(), "cuts: not one edge of the input per mesh edge");
+  }
+
+  void check_points() {
+    std::vector<ExactPosition> sorted = cuts_.points;
+    const auto before = [](const ExactPosition& a, const ExactPosition& b) { return lexicographic_order(a, b) < 0; };
+    std::ranges::sort(sorted, before);
+    require(std::ranges::adjacent_find(sorted) == sorted.end(), "cuts: two points are one");
+    for (std::size_t i = 0; i < cuts_.points.size(); ++i) {
+      const VertexId v(mesh_.input_vertex_count() + i);
+      const ExactPosition& p = cuts_.points[i];
+      require(p.w > 0 && gcd(gcd(p.x, p.y), gcd(p.z, p.w)) == 1, name(v) + " is not in lowest terms");
+      require(mesh_.position(v) == p.rounded(), name(v) + " is not its exact position rounded");
+    }
+  }
+
+  [[nodiscard]] ExactPlane plane_of(FacetId f) const {
+    const auto [a, b, c] = plane_corners(mesh_, f);
+    return plane_through(exact_position(mesh_, a), exact_position(mesh_, b), exact_position(mesh_, c));
+  }
+
+  // Planar, convex, and turned as the whole is: seen along an axis, it turns to one side only and runs up once.
+  void check_piece(FacetId f) {
+    const CutPolygon polygon = whole_polygon(mesh_, f);
+    const ExactPlane plane = plane_of(f);
+    const int axis = plane.a != 0 ? 0 : plane.b != 0 ? 1 : 2;
+    const Sign turn = sign_of(axis == 0 ? plane.a : axis == 1 ? plane.b : plane.c);
+    bool planar = true;
+    bool convex = true;
+    int rises = 0;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const ExactPosition& a = polygon[i].position;
+      const ExactPosition& b = polygon[(i + 1) % polygon.size()].position;
+      const ExactPosition& c = polygon[(i + 2) % polygon.size()].position;
+      planar = planar && plane.side(a) == 0;
+      convex = convex && orientation_without(axis, a, b, c) * turn >= 0;
+      rises += lexicographic_order(a, b) > 0 && lexicographic_order(b, c) < 0 ? 1 : 0;
+    }
+    require(planar, name(f) + " is not in the plane of its whole");
+    require(convex && rises == 1, name(f) + " is not convex");
+  }
+
+  // Each edge of a whole's pieces has two of them, in opposite directions, or is on a side of the whole.
+  void check_border(WholeId w) {
+    std::map<MeshEdgeId, std::vector<int>> directions;
+    for (std::size_t f = cuts_.first_facet[w.index()].index(); f < cuts_.first_facet[w.index() + 1].index(); ++f) {
+      const auto corners = mesh_.corners(FacetId(f));
+      for (std::size_t i = 0; i < corners.size(); ++i) {
+        const MeshEdgeId e = mesh_.edges_of(FacetId(f))[i];
+        directions[e].push_back(mesh_.weld[corners[i].index()] == mesh_.edges[e.index()][0] ? 1 : -1);
+      }
+    }
+    for (const auto& [edge, of_pieces] : directions) {
+      const bool inside = of_pieces.size() == 2 && of_pieces[0] + of_pieces[1] == 0;
+      const bool on_side = of_pieces.size() == 1 && is_on_side(w, edge);
+      require(inside || on_side, name(w) + " has pieces that do not fit along mesh edge " + std::to_string(edge.value));
+    }
+  }
+
+  [[nodiscard]] bool is_on_side(WholeId w, MeshEdgeId edge) const {
+    const auto corners = cuts_.wholes[w.index()];
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const auto on_line = [&](VertexId v) {
+        return collinear(mesh_, corners[i], corners[(i + 1) % corners.size()], v);
+      };
+      if (on_line(mesh_.edges[edge.index()][0]) && on_line(mesh_.edges[edge.index()][1])) return true;
+    }
+    return false;
+  }
+
+  // No piece of a is passed through by b.
+  void check_apart(WholeId a, WholeId b) {
+    const ExactPlane plane = plane_of(cuts_.first_facet[b.index()]);
+    const CutPolygon other = whole_of(b);
+    const Chord chord = meet(other, plane_of(cuts_.first_facet[a.index()]));
+    for (std::size_t f = cuts_.first_facet[a.index()].index(); f < cuts_.first_facet[a.index() + 1].index(); ++f) {
+      require(!passes_through(plane, chord, whole_polygon(mesh_, FacetId(f))),
+              name(FacetId(f)) + " is passed through by " + name(b));
+    }
+  }
+
+  [[nodiscard]] CutPolygon whole_of(WholeId w) const {
+    CutPolygon polygon;
+    for (const VertexId v : cuts_.wholes[w.index()]) polygon.push_back({exact_position(mesh_, v), v, MeshEdgeId{}});
+    return polygon;
+  }
+
+  const Mesh& mesh_;
+  const FacetCuts& cuts_;
+  Messages& messages_;
+};
+
+}  // namespace
+
+void check_cuts(const Mesh& mesh, std::vector<std::string>& messages) { CutsCheck(mesh, messages).run(); }
+
+}  // namespace sightline::inline geometry

@@ -1,0 +1,13 @@
+// What must hold of a mesh that was cut along common lines, beyond what holds of the mesh before (Mesh::cuts).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "geometry/mesh/mesh.h"
+
+namespace sightline::inline geometry {
+
+void check_cuts(const Mesh& mesh, std::vector<std::string>& messages);
+
+}  // namespace sightline::inline geometry

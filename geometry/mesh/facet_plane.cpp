@@ -1,0 +1,22 @@
+#include "geometry/mesh/facet_plane.h"
+
+namespace sightline::inline geometry {
+
+std::array<VertexId, 3> plane_corners(const Mesh& mesh, FacetId facet) {
+  const auto corners =
+      mesh.is_cut() ? mesh.cuts.wholes[mesh.cuts.whole_of[facet.index()].index()] : mesh.corners(facet);
+  std::size_t third = 2;
+  if (corners.size() == 3) return {corners[0], corners[1], corners[2]};
+  while (third + 1 < corners.size() &&
+         collinear(mesh.position(corners[0]), mesh.position(corners[1]), mesh.position(corners[third]))) {
+    ++third;
+  }
+  return {corners[0], corners[1], corners[third]};
+}
+
+Sign side_of_plane(const Mesh& mesh, FacetId facet, const HomogeneousPoint& p) {
+  const auto [a, b, c] = plane_corners(mesh, facet);
+  return orient3d(mesh.position(a), mesh.position(b), mesh.position(c), p);
+}
+
+}  // namespace sightline::inline geometry

@@ -1,0 +1,234 @@
+#include "geometry/projection/camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "geometry/numbers/errors.h"
+
+namespace sightline::inline geometry {
+
+namespace {
+
+void require(bool holds, const std::string& name, const char* what) {
+  if (!holds) throw CameraError("camera \"" + name + "\": " + what);
+}
+
+bool finite(const Vector3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+double length_of_moderate(const Vector3& v) { return std::sqrt(dot(v, v)); }
+
+// Adding 0.0 turns -0.0 into 0.0, so that reports do not depend on how a zero came about.
+Vector3 divided(const Vector3& v, double divisor) {
+  return {v.x / divisor + 0.0, v.y / divisor + 0.0, v.z / divisor + 0.0};
+}
+
+// a * b - c * d to 1.5 units in the last place: zero only where the exact value is (Kahan; Jeannerod, Louvet and Muller
+// 2013).
+double difference_of_products(double a, double b, double c, double d) {
+  const double cd = c * d;
+  return std::fma(a, b, -cd) + std::fma(-c, d, cd);
+}
+
+// Every component to 1.5 units in the last place, however close to parallel a and b are.
+Vector3 accurate_cross(const Vector3& a, const Vector3& b) {
+  return {difference_of_products(a.y, b.z, a.z, b.y), difference_of_products(a.z, b.x, a.x, b.z),
+          difference_of_products(a.x, b.y, a.y, b.x)};
+}
+
+// The direction from a to b; halves first where the difference would overflow.
+Vector3 direction(const Point3& a, const Point3& b) {
+  const Vector3 difference = b - a;
+  return with_moderate_exponent(finite(difference) ? difference : 0.5 * b - 0.5 * a);
+}
+
+// tan(degrees / 2); 90 degrees give exactly 1, and angles near 180 lose nothing.
+double tangent_of_half(double degrees) {
+  if (degrees > 90) return 1 / tangent_of_half(180 - degrees);
+  const double angle = degrees * (std::numbers::pi / 180);
+  return std::sin(angle) / (1 + std::cos(angle));
+}
+
+void check_view_point(const std::string& name, const ViewPoint& view) {
+  require(finite(view.eye), name, "eye is not finite");
+  require(finite(view.target), name, "target is not finite");
+  require(finite(view.up), name, "up is not finite");
+  require(!(view.eye == view.target), name, "eye and target are the same point, which gives no view direction");
+  require(largest_coordinate(view.up) > 0, name, "up has length zero");
+  require(std::isfinite(view.aspect) && view.aspect > 0, name, "aspect is not a positive number");
+}
+
+void check_distances(const Camera& camera) {
+  const auto& near_distance = camera.near_distance;
+  const auto& far_distance = camera.far_distance;
+  require(std::isfinite(near_distance.value_or(0)), camera.name, "near is not finite");
+  require(std::isfinite(far_distance.value_or(0)), camera.name, "far is not finite");
+  require(!near_distance || !far_distance || *near_distance < *far_distance, camera.name, "near is not less than far");
+}
+
+// The rows, too: parameters in range can still be so extreme that a row overflows or vanishes.
+Camera checked(Camera camera) {
+  check_distances(camera);
+  require(finite(camera.right) && finite(camera.up) && finite(camera.origin), camera.name,
+          "its numbers are too large or too small for double arithmetic");
+  require(largest_coordinate(camera.right) > 0 && largest_coordinate(camera.up) > 0, camera.name,
+          "its numbers are too large or too small for double arithmetic");
+  return camera;
+}
+
+// half_height: half the window's height, at distance 1 for a pinhole.
+Camera looking_camera(std::string name, const ViewPoint& view, double half_height) {
+  const Vector3 along = direction(view.eye, view.target);
+  const Vector3 across = accurate_cross(along, with_moderate_exponent(view.up));
+  require(largest_coordinate(across) > 0, name, "up is along the view direction; choose another up");
+  Camera camera;
+  camera.name = std::move(name);
+  camera.forward = unit(along);
+  camera.right = divided(divided(unit(across), half_height), view.aspect);
+  camera.up = divided(unit(accurate_cross(across, along)), half_height);
+  camera.origin = view.eye;
+  camera.near_distance = view.near_distance;
+  camera.far_distance = view.far_distance;
+  camera.aspect = view.aspect;
+  return camera;
+}
+
+using Columns = std::array<std::array<BigInteger, 3>, 4>;
+
+BigInteger determinant(const Columns& columns, std::size_t a, std::size_t b, std::size_t c) {
+  const auto minor = [&](std::size_t i, std::size_t j) -> BigInteger {
+    return columns[b][i] * columns[c][j] - columns[b][j] * columns[c][i];
+  };
+  return columns[a][0] * minor(1, 2) + columns[a][1] * minor(2, 0) + columns[a][2] * minor(0, 1);
+}
+
+// The integers that P is, over one power of two.
+Columns integer_columns(const Matrix34& p) {
+  std::array<double, 12> entries;
+  for (std::size_t i = 0; i < 12; ++i) entries[i] = p[i / 4][i % 4];
+  const int lowest = exponent_range(entries).lowest;
+  Columns columns;
+  for (std::size_t i = 0; i < 12; ++i) columns[i % 4][i / 4] = scaled<BigInteger>(entries[i], lowest);
+  return columns;
+}
+
+double rounded(const BigInteger& numerator, const BigInteger& denominator) {
+  return boost::multiprecision::cpp_rational(numerator, denominator).convert_to<double>() + 0.0;
+}
+
+// The null vector (c, 1) of P by Cramer's rule, exactly, then rounded to double. det(P[:, :3]) > 0.
+Point3 centre_of_projection(const Matrix34& p) {
+  const Columns columns = integer_columns(p);
+  const BigInteger denominator = determinant(columns, 0, 1, 2);
+  return {rounded(determinant(columns, 3, 2, 1), denominator), rounded(determinant(columns, 3, 0, 2), denominator),
+          rounded(determinant(columns, 1, 0, 3), denominator)};
+}
+
+Vector3 row(const Matrix34& p, std::size_t i) { return {p[i][0], p[i][1], p[i][2]}; }
+
+// The sign of det(P[:, :3]), exactly.
+Sign handedness(const Matrix34& p) { return orient3d(Point3{}, row(p, 0), row(p, 1), row(p, 2)); }
+
+template <std::size_t Rows, std::size_t Columns>
+bool finite(const std::array<std::array<double, Columns>, Rows>& matrix) {
+  return std::all_of(matrix.begin(), matrix.end(), [](const auto& r) {
+    return std::all_of(r.begin(), r.end(), [](double entry) { return std::isfinite(entry); });
+  });
+}
+
+template <std::size_t Columns>
+std::array<std::array<double, Columns>, 3> times(const Matrix3& a,
+                                                 const std::array<std::array<double, Columns>, 3>& b) {
+  std::array<std::array<double, Columns>, 3> product;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < Columns; ++j)
+      product[i][j] = (a[i][0] * b[0][j] + a[i][1] * b[1][j]) + a[i][2] * b[2][j];
+  }
+  return product;
+}
+
+// The same camera with the largest entry in [1, 2), by a power of two, and a positive determinant.
+Matrix34 normalised(const Matrix34& p) {
+  double size = 0;
+  for (std::size_t i = 0; i < 3; ++i) size = std::max(size, largest_coordinate(row(p, i)));
+  const int exponent = -std::ilogb(size);
+  const int sign = handedness(p);
+  Matrix34 result;
+  for (std::size_t i = 0; i < 12; ++i) result[i / 4][i % 4] = sign * std::scalbn(p[i / 4][i % 4], exponent);
+  return result;
+}
+
+// a * v + b * w, rounded once per component if a * v is exact.
+Vector3 combined(double a, const Vector3& v, double b, const Vector3& w) {
+  return {std::fma(b, w.x, a * v.x), std::fma(b, w.y, a * v.y), std::fma(b, w.z, a * v.z)};
+}
+
+void check_image(const std::string& name, const PixelImage& image) {
+  require(std::isfinite(image.width) && image.width > 0, name, "the image's width is not a positive number");
+  require(std::isfinite(image.height) && image.height > 0, name, "the image's height is not a positive number");
+}
+
+// Pixels to the window: x = 2 (u + shift) / width - 1 and y = 1 - 2 (v + shift) / height, where shift is the first
+// pixel's half where its centre is (0, 0).
+Camera pixel_camera(std::string name, const Matrix34& p, const Point3& origin, const PixelImage& image) {
+  const Matrix34 m = normalised(p);
+  const double twice_shift = image.origin == PixelOrigin::center ? 1 : 0;
+  const Vector3 depth = with_moderate_exponent(row(m, 2));
+  const double length = std::scalbn(length_of_moderate(depth), std::ilogb(largest_coordinate(row(m, 2))));
+  Camera camera;
+  camera.name = std::move(name);
+  camera.forward = unit(depth);
+  camera.right = divided(divided(combined(2, row(m, 0), twice_shift - image.width, row(m, 2)), image.width), length);
+  camera.up = divided(divided(combined(-2, row(m, 1), image.height - twice_shift, row(m, 2)), image.height), length);
+  camera.origin = origin;
+  camera.eye = {origin, 1};
+  camera.near_distance = image.near_distance;
+  camera.far_distance = image.far_distance;
+  camera.aspect = image.width / image.height;
+  return checked(std::move(camera));
+}
+
+}  // namespace
+
+Camera perspective_camera(std::string name, const ViewPoint& view, double fov_y_degrees) {
+  check_view_point(name, view);
+  require(fov_y_degrees > 0 && fov_y_degrees < 180, name,
+          "the vertical field of view is not between 0 and 180 degrees");
+  Camera camera = looking_camera(std::move(name), view, tangent_of_half(fov_y_degrees));
+  camera.eye = {view.eye, 1};
+  return checked(std::move(camera));
+}
+
+Camera orthographic_camera(std::string name, const ViewPoint& view, double height) {
+  check_view_point(name, view);
+  require(std::isfinite(height) && height > 0, name, "the orthographic height is not a positive number");
+  Camera camera = looking_camera(std::move(name), view, height / 2);
+  camera.projection = Projection::orthographic;
+  // Not the unit vector: that is rounded, and a face along the given direction would no longer be seen edge-on.
+  camera.eye = {direction(view.target, view.eye), 0};
+  return checked(std::move(camera));
+}
+
+Camera projection_matrix_camera(std::string name, const Matrix34& p, const PixelImage& image) {
+  check_image(name, image);
+  require(finite(p), name, "P has an entry that is not finite");
+  require(handedness(p) != 0, name, "the left 3x3 part of P is singular, so the camera has no finite centre");
+  return pixel_camera(std::move(name), p, centre_of_projection(normalised(p)), image);
+}
+
+Camera calibrated_camera(std::string name, const Matrix3& k, const Matrix3& r, const Vector3& t,
+                         const PixelImage& image) {
+  check_image(name, image);
+  require(finite(k) && finite(r) && finite(t), name, "K, R or t has an entry that is not finite");
+  Matrix34 pose;
+  const std::array<double, 3> translation{t.x, t.y, t.z};
+  for (std::size_t i = 0; i < 3; ++i) pose[i] = {r[i][0], r[i][1], r[i][2], translation[i]};
+  const Matrix34 p = times(k, pose);
+  require(finite(p), name, "K [R | t] is not finite");
+  require(handedness(p) > 0 && handedness(pose) > 0, name,
+          "K R has no positive determinant; K needs a positive diagonal and R must be a rotation");
+  // K cancels in the null vector of K [R | t].
+  return pixel_camera(std::move(name), p, centre_of_projection(pose), image);
+}
+
+}  // namespace sightline::inline geometry

@@ -1,0 +1,77 @@
+// Cameras: pinhole and orthographic, as exact linear forms on the input's coordinates.
+//
+// A camera is three rows of doubles and an origin; these doubles are the camera, exactly. For a point v of the input:
+//   X = right . (v - origin)     Y = up . (v - origin)     W = forward . (v - origin), or 1 where orthographic
+// and the point's place in the window [-1, 1]^2 is (X / W, Y / W), x to the right and y up. A pinhole sees only W > 0.
+// |forward| = 1 up to rounding, so that forward . (v - origin) is the distance in the input's units along the view
+// direction; near and far bound it.
+//
+// The makers below round once, when they compute the rows. Where the eye is not given but derived (projection_matrix,
+// calibrated) it is the matrix' null vector, rounded to double: it is the centre of projection and the eye of every
+// depth decision.
+//
+// Sources: Fang 1993, section 5.2.2 and appendix A (view transformation); Koucky 2014, 2.3.1 (K [R | t]).
+// Errors: CameraError from every maker: a direction of length zero, up along the view direction, an angle not in (0,
+// 180), aspect or height not positive, a matrix without a finite centre, near >= far, anything not finite.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "geometry/numbers/predicates.h"
+#include "geometry/numbers/vector3.h"
+
+namespace sightline::inline geometry {
+
+enum class Projection { perspective, orthographic };
+
+struct Camera {
+  std::string name;
+  Projection projection = Projection::perspective;
+  Vector3 right;
+  Vector3 up;
+  Vector3 forward;
+  Point3 origin;         // the eye of a pinhole; a point that is seen at the window's centre otherwise
+  HomogeneousPoint eye;  // origin, or for an orthographic camera the direction towards the viewer with w = 0
+  std::optional<double> near_distance;
+  std::optional<double> far_distance;
+  double aspect = 1;  // the window's width over its height, for display only
+};
+
+struct ViewPoint {
+  Point3 eye;
+  Point3 target;
+  Vector3 up{0, 1, 0};
+  double aspect = 1;
+  std::optional<double> near_distance;
+  std::optional<double> far_distance;
+};
+
+// fov_y: the full vertical angle in degrees, in (0, 180).
+[[nodiscard]] Camera perspective_camera(std::string name, const ViewPoint& view, double fov_y_degrees);
+
+// height: the window's height in input units.
+[[nodiscard]] Camera orthographic_camera(std::string name, const ViewPoint& view, double height);
+
+using Matrix3 = std::array<std::array<double, 3>, 3>;
+using Matrix34 = std::array<std::array<double, 4>, 3>;
+
+// Where pixel coordinates begin: `corner`: the first pixel's centre is (0.5, 0.5); `center`: it is (0, 0).
+enum class PixelOrigin { corner, center };
+
+struct PixelImage {
+  double width = 0;
+  double height = 0;
+  PixelOrigin origin = PixelOrigin::corner;
+  std::optional<double> near_distance;
+  std::optional<double> far_distance;
+};
+
+// Pixels: x right, y down; camera frame: z forward. P maps (v, 1) to homogeneous pixels. P and -P are the same camera;
+// the one with det(P[:, :3]) > 0 is meant (K with a positive diagonal and R a rotation).
+[[nodiscard]] Camera projection_matrix_camera(std::string name, const Matrix34& p, const PixelImage& image);
+[[nodiscard]] Camera calibrated_camera(std::string name, const Matrix3& k, const Matrix3& r, const Vector3& t,
+                                       const PixelImage& image);
+
+}  // namespace sightline::inline geometry

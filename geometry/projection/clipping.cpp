@@ -1,0 +1,155 @@
+#include "geometry/projection/clipping.h"
+
+#include <algorithm>
+
+namespace sightline::inline geometry {
+namespace {
+
+using Polygon = std::vector<ExactCorner>;
+
+// The camera and the facet's vertices as integers over one power of two.
+class CommonScale {
+ public:
+  CommonScale(const Camera& camera, std::span<const Point3> vertices) {
+    std::vector<double> values{1.0};
+    const auto add = [&values](const Vector3& v) { values.insert(values.end(), {v.x, v.y, v.z}); };
+    for (const Vector3& v : {camera.right, camera.up, camera.forward, camera.origin}) add(v);
+    for (const Point3& v : vertices) add(v);
+    lowest_ = exponent_range(values).lowest;
+  }
+
+  [[nodiscard]] BigInteger operator()(double value) const { return scaled<BigInteger>(value, lowest_); }
+
+ private:
+  int lowest_ = 0;
+};
+
+// The point (x, y, z) / w, in scaled numbers. Every coordinate below is of degree two in these and of degree one in
+// (x, y, z, w), so that they share the factor `one`.
+ExactCorner homogeneous(const BigInteger& x, const BigInteger& y, const BigInteger& z, const BigInteger& w,
+                        const Camera& camera, const CommonScale& scale) {
+  const BigInteger dx = x - scale(camera.origin.x) * w;
+  const BigInteger dy = y - scale(camera.origin.y) * w;
+  const BigInteger dz = z - scale(camera.origin.z) * w;
+  const auto form = [&](const Vector3& row) {
+    return BigInteger(scale(row.x) * dx + scale(row.y) * dy + scale(row.z) * dz);
+  };
+  const BigInteger unit = scale(1.0);
+  ExactCorner corner;
+  corner.x = form(camera.right);
+  corner.y = form(camera.up);
+  corner.depth = form(camera.forward);
+  corner.one = unit * unit * w;
+  corner.w = camera.projection == Projection::perspective ? corner.depth : corner.one;
+  corner.px = x * unit;
+  corner.py = y * unit;
+  corner.pz = z * unit;
+  return corner;
+}
+
+ExactCorner homogeneous(const Point3& v, const Camera& camera, const CommonScale& scale) {
+  return homogeneous(scale(v.x), scale(v.y), scale(v.z), 1, camera, scale);
+}
+
+// A vertex of the input, or one that cutting made.
+ExactCorner homogeneous(const Mesh& mesh, VertexId v, const Camera& camera, const CommonScale& scale) {
+  if (v.index() < mesh.input_vertex_count()) return homogeneous(mesh.position(v), camera, scale);
+  const ExactPosition p = exact_position(mesh, v);
+  const BigInteger unit = scale(1.0);
+  return homogeneous(p.x * unit, p.y * unit, p.z * unit, p.w, camera, scale);
+}
+
+// Where the segment from `inside` (WEC > 0) to `outside` (WEC < 0) meets the bound: Fang's equation 5.7 without the
+// division.
+ExactCorner intersection(const ExactCorner& inside, const BigInteger& wec_inside, const ExactCorner& outside,
+                         const BigInteger& wec_outside) {
+  const auto blend = [&](BigInteger ExactCorner::*coordinate) {
+    return BigInteger(outside.*coordinate * wec_inside - inside.*coordinate * wec_outside);
+  };
+  ExactCorner corner;
+  for (const auto coordinate : {&ExactCorner::x, &ExactCorner::y, &ExactCorner::w, &ExactCorner::depth,
+                                &ExactCorner::px, &ExactCorner::py, &ExactCorner::pz, &ExactCorner::one}) {
+    corner.*coordinate = blend(coordinate);
+  }
+  return corner;
+}
+
+Polygon clip_at(const Polygon& polygon, const Camera& camera, std::size_t bound) {
+  std::vector<BigInteger> wecs;
+  for (const ExactCorner& corner : polygon) wecs.push_back(window_edge_coordinates(camera, corner)[bound]);
+  if (std::none_of(wecs.begin(), wecs.end(), [](const BigInteger& w) { return w > 0; })) return {};
+  Polygon result;
+  for (std::size_t u = 0; u < polygon.size(); ++u) {
+    const std::size_t v = u + 1 == polygon.size() ? 0 : u + 1;
+    const Sign sign_u = sign_of(wecs[u]);
+    const Sign sign_v = sign_of(wecs[v]);
+    if (sign_u >= 0) {
+      result.push_back(polygon[u]);
+      if (sign_u == 0 && sign_v < 0) result.back().edge_after = MeshEdgeId{};
+    }
+    if (sign_u * sign_v >= 0) continue;
+    result.push_back(sign_u > 0 ? intersection(polygon[u], wecs[u], polygon[v], wecs[v])
+                                : intersection(polygon[v], wecs[v], polygon[u], wecs[u]));
+    result.back().edge_after = sign_u > 0 ? MeshEdgeId{} : polygon[u].edge_after;
+    result.back().on_edge = polygon[u].edge_after;
+  }
+  return result;
+}
+
+// depth - distance, over a common positive factor: the distances are doubles, hence fractions with a power of two
+// below.
+BigInteger beyond(const ExactCorner& corner, double distance) {
+  const Dyadic d = dyadic(distance);
+  const BigInteger bound = corner.one * d.mantissa;
+  if (d.exponent >= 0) return corner.depth - (bound << static_cast<unsigned>(d.exponent));
+  return (corner.depth << static_cast<unsigned>(-d.exponent)) - bound;
+}
+
+}  // namespace
+
+std::vector<BigInteger> window_edge_coordinates(const Camera& camera, const ExactCorner& corner) {
+  std::vector<BigInteger> wecs{corner.w + corner.x, corner.w - corner.x, corner.w + corner.y, corner.w - corner.y};
+  wecs.push_back(camera.near_distance ? beyond(corner, *camera.near_distance) : BigInteger(1));
+  wecs.push_back(camera.far_distance ? BigInteger(-beyond(corner, *camera.far_distance)) : BigInteger(1));
+  return wecs;
+}
+
+Point3 ExactCorner::position() const {
+  return {rounded_quotient(px, one), rounded_quotient(py, one), rounded_quotient(pz, one)};
+}
+
+double ExactCorner::weight() const { return rounded_quotient(w, one); }
+
+ExactCorner exact_corner(const Point3& vertex, const Camera& camera) {
+  return homogeneous(vertex, camera, CommonScale(camera, std::span(&vertex, 1)));
+}
+
+ExactCorner exact_corner(const Mesh& mesh, VertexId vertex, const Camera& camera) {
+  return homogeneous(mesh, vertex, camera, CommonScale(camera, std::span(&mesh.position(vertex), 1)));
+}
+
+ImagePoint round_to_grid(const ExactCorner& corner, int grid_bits) {
+  const auto coordinate = [&](const BigInteger& numerator) {
+    const BigInteger doubled = (abs(numerator) << static_cast<unsigned>(grid_bits + 1)) + corner.w;
+    const auto rounded = static_cast<std::int64_t>(BigInteger(doubled / (2 * corner.w)));
+    return numerator < 0 ? -rounded : rounded;
+  };
+  return {coordinate(corner.x), coordinate(corner.y)};
+}
+
+Polygon clip(const Mesh& mesh, const Camera& camera, FacetId facet) {
+  const auto corners = mesh.corners(facet);
+  std::vector<Point3> positions;
+  for (const VertexId v : corners) positions.push_back(mesh.position(v));
+  const CommonScale scale(camera, positions);
+  Polygon polygon;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    polygon.push_back(homogeneous(mesh, corners[i], camera, scale));
+    polygon.back().vertex = corners[i];
+    polygon.back().edge_after = mesh.edges_of(facet)[i];
+  }
+  for (std::size_t bound = 0; bound < bound_count; ++bound) polygon = clip_at(polygon, camera, bound);
+  return polygon;
+}
+
+}  // namespace sightline::inline geometry

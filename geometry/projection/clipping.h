@@ -1,0 +1,50 @@
+// Homogeneous clipping, exact.
+//
+// In:  a facet and a camera.
+// Out: the facet's polygon in the view volume as exact homogeneous points, in the facet's orientation.
+// Holds: the polygon is convex, with at least three corners that are not all on one line, or empty; a corner on a
+// mesh edge is the same exact point whichever facet of that edge it is computed from.
+// Precondition: the facet is not edge-on.
+// Complexity: six passes over the corners, in integers of any size; meant for the few facets that cross the view
+// volume's border.
+// Source: Fang 1993, 5.2.3 and table 5.1: window edge coordinates (WEC) and Sutherland-Hodgman.
+// Departures: integers instead of equation 5.7 in floating point; points on a bound count as inside, but a facet that
+// has nothing strictly inside is out of view.
+#pragma once
+
+#include <vector>
+
+#include "geometry/mesh/mesh.h"
+#include "geometry/numbers/image_point.h"
+#include "geometry/projection/camera.h"
+
+namespace sightline::inline geometry {
+
+// A point in the camera's homogeneous coordinates and in the input's, over one common positive factor of its own:
+// X = x / one, W = w / one, ..., position = (px, py, pz) / one.
+struct ExactCorner {
+  BigInteger x, y, w, depth;
+  BigInteger px, py, pz, one;
+  VertexId vertex;        // invalid: made by clipping
+  MeshEdgeId edge_after;  // of the edge to the next corner; invalid: along the view volume's border
+  MeshEdgeId on_edge;     // the mesh edge that was cut here; invalid: a vertex, or inside the facet
+
+  [[nodiscard]] Point3 position() const;
+  [[nodiscard]] double weight() const;  // W
+};
+
+[[nodiscard]] std::vector<ExactCorner> clip(const Mesh& mesh, const Camera& camera, FacetId facet);
+
+// The grid point nearest to the projection of an exact corner, ties away from the window's centre line.
+[[nodiscard]] ImagePoint round_to_grid(const ExactCorner& corner, int grid_bits);
+
+// The corner of a facet that one vertex makes, unclipped.
+[[nodiscard]] ExactCorner exact_corner(const Point3& vertex, const Camera& camera);
+[[nodiscard]] ExactCorner exact_corner(const Mesh& mesh, VertexId vertex, const Camera& camera);
+
+// The window edge coordinates of the left, right, bottom, top, near and far bound, each up to a positive factor:
+// negative outside. A bound that the camera does not have is satisfied.
+constexpr std::size_t bound_count = 6;
+[[nodiscard]] std::vector<BigInteger> window_edge_coordinates(const Camera& camera, const ExactCorner& corner);
+
+}  // namespace sightline::inline geometry

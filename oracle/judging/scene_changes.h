@@ -1,0 +1,39 @@
+// Changes of a scene that change nothing but order, and what must stay.
+#pragma once
+
+#include "oracle/judging/judge.h"
+#include "oracle/lattice/lattice.h"
+
+namespace sightline::lattice {
+
+// order[i] is the old index of the new face i.
+struct Shuffled {
+  Mesh mesh;
+  std::vector<std::size_t> order;
+};
+[[nodiscard]] Shuffled with_faces_shuffled(const Mesh& mesh, Dice& dice);
+
+[[nodiscard]] Mesh with_corners_rotated(const Mesh& mesh, Dice& dice);
+
+// x becomes -x, and corners run the other way round. Seen by the mirrored camera the image is mirrored: left is right.
+[[nodiscard]] Mesh mirrored(const Mesh& mesh);
+[[nodiscard]] Camera mirrored(const Camera& camera);
+
+// The camera turned by a quarter about its view direction: what was to the right is up.
+[[nodiscard]] Camera rolled(const Camera& camera);
+
+// What is the same whatever the order.
+struct Outcome {
+  std::vector<Rational> areas;  // visible, per face
+  std::size_t segments = 0;
+  std::size_t polygons = 0;
+  std::size_t rings = 0;
+};
+[[nodiscard]] Outcome outcome(const Mesh& mesh, const View& view);
+
+[[nodiscard]] Complaints differences(const Outcome& before, const Outcome& after);
+
+// Bit for bit.
+[[nodiscard]] bool identical(const View& a, const View& b);
+
+}  // namespace sightline::lattice

@@ -1,0 +1,20 @@
+// The upright window that lines are clipped to, and lines of the image.
+#pragma once
+
+#include "geometry/numbers/predicates.h"
+
+namespace sightline::peers {
+
+struct Window {
+  double x_min = -1;
+  double y_min = -1;
+  double x_max = 1;
+  double y_max = 1;
+};
+
+struct Line {
+  Point2 from;
+  Point2 to;
+};
+
+}  // namespace sightline::peers

@@ -1,0 +1,23 @@
+// What is exactly visible, as the peers say it: in the window's coordinates, rounded to double.
+#pragma once
+
+#include "peers/scene/errors_of_areas.h"
+#include "peers/scene/seen.h"
+#include "reconstruct/polygons/visible_polygons.h"
+
+namespace sightline::peers {
+
+// By face. Polygons below resolution are in it.
+[[nodiscard]] VisibleParts visible_parts(const ProjectedScene& scene, const VisibleSegments& segments,
+                                         const VisiblePolygons& polygons);
+
+struct ExactParts {
+  VisibleParts parts;
+  VisibleLines lines;  // exact_lines.h
+  FaceAreas areas;     // of the faces that are called visible: some polygon of theirs is not below resolution
+};
+
+[[nodiscard]] ExactParts exact_parts(const ProjectedScene& scene, const VisibleSegments& segments,
+                                     const VisiblePolygons& polygons);
+
+}  // namespace sightline::peers

@@ -1,0 +1,88 @@
+#include "peers/scene/flat_scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sightline::peers {
+namespace {
+
+// Newell's normal (slides 001) of the corners, taken relative to the first of them.
+Vector3 normal_of(const Mesh& mesh, FacetId facet) {
+  const auto corners = mesh.corners(facet);
+  const Point3& first = mesh.position(corners.front());
+  Vector3 normal;
+  for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
+    normal = normal + cross(mesh.position(corners[i]) - first, mesh.position(corners[i + 1]) - first);
+  }
+  return normal;
+}
+
+// What a camera's rows undo: a point at (x, y) of the window and at W is origin + W (x across + y upwards + ahead), or,
+// where orthographic and W is the distance, origin + x across + y upwards + W ahead.
+struct Frame {
+  Vector3 across;
+  Vector3 upwards;
+  Vector3 ahead;
+};
+
+Frame frame_of(const Camera& camera) {
+  const double volume = dot(camera.right, cross(camera.up, camera.forward));
+  return {(1 / volume) * cross(camera.up, camera.forward), (1 / volume) * cross(camera.forward, camera.right),
+          (1 / volume) * cross(camera.right, camera.up)};
+}
+
+// From normal . (point - origin) = offset, with the point as the frame has it.
+DepthPlane depth_plane(const Frame& frame, const Camera& camera, const Vector3& normal, double offset) {
+  const double a = dot(normal, frame.across);
+  const double b = dot(normal, frame.upwards);
+  const double c = dot(normal, frame.ahead);
+  if (camera.projection == Projection::orthographic) return {-a / c, -b / c, offset / c};
+  return {-a / offset, -b / offset, -c / offset};  // 1 / W = (a x + b y + c) / offset
+}
+
+bool is_finite(const DepthPlane& plane) {
+  return std::isfinite(plane.a) && std::isfinite(plane.b) && std::isfinite(plane.c);
+}
+
+std::vector<Corner> corners_of(const ProjectedScene& scene, FacetId facet, const DepthPlane& plane) {
+  std::vector<Corner> corners;
+  for (const ClippedCorner& clipped : scene.polygon(facet)) {
+    const ImagePoint& p = scene.point(clipped.point);
+    const double x = std::ldexp(static_cast<double>(p.x), -scene.grid_bits);
+    const double y = std::ldexp(static_cast<double>(p.y), -scene.grid_bits);
+    corners.push_back({x, y, plane.at(x, y)});
+  }
+  return corners;
+}
+
+}  // namespace
+
+FlatScene flat_scene(const Mesh& mesh, const ProjectedScene& scene) {
+  FlatScene flat{&mesh, &scene, {}};
+  const Frame frame = frame_of(scene.camera);
+  for (std::size_t f = 0; f < mesh.facet_count(); ++f) {
+    if (scene.status[f] != Status::in_view) continue;
+    const FacetId facet{f};
+    const Vector3 normal = normal_of(mesh, facet);
+    const double offset = dot(normal, mesh.position(mesh.corners(facet).front()) - scene.camera.origin);
+    FlatPolygon polygon{mesh.facet_face[f], facet, scene.facing[f] == Facing::front, {}, {}};
+    polygon.plane = depth_plane(frame, scene.camera, normal, offset);
+    if (!is_finite(polygon.plane)) continue;
+    polygon.corners = corners_of(scene, facet, polygon.plane);
+    if (!polygon.is_front) std::reverse(polygon.corners.begin(), polygon.corners.end());
+    flat.polygons.push_back(std::move(polygon));
+  }
+  return flat;
+}
+
+Extent extent_of(const std::vector<Corner>& corners) {
+  Extent extent{corners.front(), corners.front()};
+  for (const Corner& c : corners) {
+    extent.least = {std::min(extent.least.x, c.x), std::min(extent.least.y, c.y),
+                    std::min(extent.least.depth, c.depth)};
+    extent.most = {std::max(extent.most.x, c.x), std::max(extent.most.y, c.y), std::max(extent.most.depth, c.depth)};
+  }
+  return extent;
+}
+
+}  // namespace sightline::peers

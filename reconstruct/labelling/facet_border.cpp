@@ -1,0 +1,173 @@
+#include "reconstruct/labelling/facet_border.h"
+
+#include <algorithm>
+#include <map>
+
+namespace sightline::inline reconstruct {
+namespace {
+
+// The points of an edge in the direction in which the facet runs through it.
+std::vector<EdgePoint> along(const Mesh& mesh, const EdgePoints& edge_points, MeshEdgeId edge, VertexId from) {
+  const auto on_edge = edge_points.on(edge);
+  std::vector<EdgePoint> result(on_edge.begin(), on_edge.end());
+  if (mesh.weld[from.index()] != mesh.edges[edge.index()][0]) std::reverse(result.begin(), result.end());
+  return result;
+}
+
+template <class Point, class VertexOf>
+void drop_repeated(std::vector<Point>& border, VertexOf vertex_of) {
+  std::vector<Point> kept;
+  for (std::size_t i = 0; i < border.size(); ++i) {
+    const Point& next = border[i + 1 == border.size() ? 0 : i + 1];
+    if (vertex_of(border[i]) != vertex_of(next)) kept.push_back(border[i]);
+  }
+  border = std::move(kept);
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> straight_sides(const Mesh& mesh, std::span<const VertexId> corners) {
+  const std::size_t n = corners.size();
+  std::vector<std::uint32_t> side(n);
+  for (std::uint32_t i = 0; i < n; ++i) side[i] = i;
+  if (n == 3) return side;
+  const auto straight_at = [&](std::size_t i) {
+    return collinear(mesh, corners[i == 0 ? n - 1 : i - 1], corners[i], corners[i + 1 == n ? 0 : i + 1]);
+  };
+  for (std::size_t i = 1; i < n; ++i) side[i] = straight_at(i) ? side[i - 1] : side[i];
+  if (!straight_at(0)) return side;
+  const std::uint32_t last = side.back();
+  std::replace(side.begin(), side.end(), last, side.front());
+  return side;
+}
+
+std::vector<BorderPoint> facet_border(const Mesh& mesh, const EdgePoints& edge_points, FacetId facet) {
+  const auto corners = mesh.corners(facet);
+  const auto edges = mesh.edges_of(facet);
+  const auto sides = straight_sides(mesh, mesh.corners(facet));
+  std::vector<BorderPoint> border;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    border.push_back({corners[i], sides[i]});
+    for (const EdgePoint& p : along(mesh, edge_points, edges[i], corners[i])) border.push_back({p.vertex, sides[i]});
+  }
+  return border;
+}
+
+namespace {
+
+// An edge of a piece, in the piece's direction.
+struct PieceEdge {
+  VertexId from;
+  MeshEdgeId edge;
+  bool forward = false;  // along the mesh edge
+};
+
+// Those on the border of a whole: inside it each edge has two pieces.
+std::vector<PieceEdge> border_edges(const Mesh& mesh, WholeId whole) {
+  std::vector<PieceEdge> edges;
+  const auto& first = mesh.cuts.first_facet;
+  for (std::size_t f = first[whole.index()].index(); f < first[whole.index() + 1].index(); ++f) {
+    const auto corners = mesh.corners(FacetId(f));
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const MeshEdgeId e = mesh.edges_of(FacetId(f))[i];
+      edges.push_back({corners[i], e, mesh.weld[corners[i].index()] == mesh.edges[e.index()][0]});
+    }
+  }
+  std::ranges::sort(edges, {}, &PieceEdge::edge);
+  std::vector<PieceEdge> border;
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const bool inside =
+        (i > 0 && edges[i - 1].edge == edges[i].edge) || (i + 1 < edges.size() && edges[i + 1].edge == edges[i].edge);
+    if (!inside) border.push_back(edges[i]);
+  }
+  return border;
+}
+
+// In order around the whole.
+std::vector<PieceEdge> linked(const Mesh& mesh, const std::vector<PieceEdge>& border, VertexId start) {
+  std::map<VertexId, PieceEdge> leaving;
+  for (const PieceEdge& e : border) leaving[mesh.weld[e.from.index()]] = e;
+  std::vector<PieceEdge> result;
+  for (VertexId v = mesh.weld[start.index()]; result.size() < border.size();) {
+    result.push_back(leaving.at(v));
+    v = mesh.edges[result.back().edge.index()][result.back().forward ? 1 : 0];
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<BorderPoint> whole_border(const Mesh& mesh, const EdgePoints& edge_points, WholeId whole) {
+  const auto edges = linked(mesh, border_edges(mesh, whole), mesh.cuts.wholes[whole.index()].front());
+  std::vector<VertexId> corners;
+  for (const PieceEdge& e : edges) corners.push_back(e.from);
+  const auto sides = straight_sides(mesh, corners);
+  std::vector<BorderPoint> border;
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    border.push_back({corners[i], sides[i]});
+    for (const EdgePoint& p : along(mesh, edge_points, edges[i].edge, corners[i])) {
+      border.push_back({p.vertex, sides[i]});
+    }
+  }
+  return border;
+}
+
+VertexId corner_vertex(const ProjectedScene& scene, const ClippedCorner& corner, const EdgePoints& edge_points,
+                       InnerVertices& inner) {
+  if (corner.vertex.valid()) return corner.vertex;
+  const MadeCorner& made = scene.made(corner);
+  if (made.on_edge.valid()) return edge_points.vertex(made.on_edge, corner.point);
+  return inner.at(corner.point, made.position);
+}
+
+std::vector<PointId> splits_between(const ProjectedScene& scene, const ImagePoints& points, FacetId facet,
+                                    std::size_t i, std::span<const EdgeSplit> splits_of_view_border) {
+  const auto polygon = scene.polygon(facet);
+  const PointId from = polygon[i].point;
+  const PointId to = polygon[i + 1 == polygon.size() ? 0 : i + 1].point;
+  std::vector<PointId> result;
+  for (const EdgeSplit& split : splits_of_view_border) {
+    const SceneEdge& edge = scene.edge(split.edge);
+    if (split.facet == facet && edge.top == std::min(from, to) && edge.bottom == std::max(from, to)) {
+      result.push_back(split.point);
+    }
+  }
+  std::sort(result.begin(), result.end(),
+            [&](PointId a, PointId b) { return from < to ? points.sweeps_before(a, b) : points.sweeps_before(b, a); });
+  return result;
+}
+
+std::vector<ViewBorderPoint> view_border(const Mesh& mesh, const ProjectedScene& scene, const ImagePoints& points,
+                                         const EdgePoints& edge_points, FacetId facet,
+                                         std::span<const EdgeSplit> splits_of_view_border, InnerVertices& inner) {
+  const auto polygon = scene.polygon(facet);
+  const auto corners = mesh.corners(facet);
+  const auto edges = mesh.edges_of(facet);
+  const auto sides = straight_sides(mesh, mesh.corners(facet));
+  std::vector<ViewBorderPoint> border;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const ClippedCorner& corner = polygon[i];
+    const ClippedCorner& next = polygon[i + 1 == polygon.size() ? 0 : i + 1];
+    const auto own_side = static_cast<std::uint32_t>(corners.size() + i);
+    ViewBorderPoint point{{corner_vertex(scene, corner, edge_points, inner), own_side}, corner.point};
+    if (!corner.edge_after.valid()) {
+      border.push_back(point);
+      for (const PointId p : splits_between(scene, points, facet, i, splits_of_view_border)) {
+        border.push_back({{inner.at(p, std::nullopt), own_side}, p});
+      }
+      continue;
+    }
+    const auto place =
+        static_cast<std::size_t>(std::find(edges.begin(), edges.end(), corner.edge_after) - edges.begin());
+    point.border.side = sides[place];
+    border.push_back(point);
+    for (const EdgePoint& p : along(mesh, edge_points, corner.edge_after, corners[place])) {
+      if (p.vertex == point.border.vertex || p.vertex == corner_vertex(scene, next, edge_points, inner)) continue;
+      border.push_back({{p.vertex, sides[place]}, p.point});
+    }
+  }
+  drop_repeated(border, [](const ViewBorderPoint& p) { return p.border.vertex; });
+  return border;
+}
+
+}  // namespace sightline::inline reconstruct

@@ -1,0 +1,182 @@
+#include "reconstruct/polygons/ring_linker.h"
+
+#include <algorithm>
+#include <map>
+
+#include "geometry/numbers/errors.h"
+
+namespace sightline::inline reconstruct {
+namespace {
+
+// A segment seen from one of its ends: `direction` leads away from that end, along the segment's edge.
+struct Spoke {
+  PointId point;
+  ImagePoint direction;
+  std::size_t segment = 0;  // index within the surface's segments
+  bool outgoing = false;    // the segment starts here
+};
+
+Int128 cross(const ImagePoint& a, const ImagePoint& b) {
+  return static_cast<Int128>(a.x) * b.y - static_cast<Int128>(a.y) * b.x;
+}
+
+// Counter-clockwise from the positive x axis.
+bool angle_before(const ImagePoint& a, const ImagePoint& b) {
+  const auto lower_half = [](const ImagePoint& d) { return d.y < 0 || (d.y == 0 && d.x < 0); };
+  if (lower_half(a) != lower_half(b)) return lower_half(b);
+  return cross(a, b) > 0;
+}
+
+// From the segment's start to its end, along its edge: exact, whatever points the ends are.
+ImagePoint direction_of(const ProjectedScene& scene, const VisibleSegment& segment, const SweepOrder& order) {
+  const SceneEdge& e = scene.edge(segment.edge);
+  const ImagePoint& top = scene.point(e.top);
+  const ImagePoint& bottom = scene.point(e.bottom);
+  const bool down = order(segment.start, segment.end);
+  return down ? ImagePoint{bottom.x - top.x, bottom.y - top.y} : ImagePoint{top.x - bottom.x, top.y - bottom.y};
+}
+
+class RingLinker {
+ public:
+  RingLinker(const ProjectedScene& scene, const VisibleSegments& segments, std::span<const SegmentId> ids)
+      : scene_(scene), segments_(segments), ids_(ids), order_(scene, segments) {
+    collect_spokes();
+    link();
+  }
+
+  std::vector<Walk> walks() {
+    std::vector<Walk> result;
+    std::vector<std::uint8_t> walked(ids_.size(), 0);
+    for (std::size_t first = 0; first < ids_.size(); ++first) {
+      if (walked[first] == 0) result.push_back(walk(first, walked));
+    }
+    return result;
+  }
+
+ private:
+  [[nodiscard]] const VisibleSegment& segment(std::size_t i) const { return segments_.segments[ids_[i].index()]; }
+
+  [[nodiscard]] ImagePoint direction(std::size_t i) const { return direction_of(scene_, segment(i), order_); }
+
+  void collect_spokes() {
+    for (std::size_t i = 0; i < ids_.size(); ++i) {
+      const ImagePoint d = direction(i);
+      spokes_.push_back({segment(i).start, d, i, true});
+      spokes_.push_back({segment(i).end, {-d.x, -d.y}, i, false});
+    }
+    std::sort(spokes_.begin(), spokes_.end(), [](const Spoke& a, const Spoke& b) {
+      return a.point != b.point ? a.point < b.point : angle_before(a.direction, b.direction);
+    });
+  }
+
+  void link() {
+    next_.resize(ids_.size());
+    shared_.resize(ids_.size());
+    for (std::size_t begin = 0; begin < spokes_.size();) {
+      std::size_t end = begin;
+      while (end < spokes_.size() && spokes_[end].point == spokes_[begin].point) ++end;
+      link_at_point(std::span(spokes_).subspan(begin, end - begin));
+      begin = end;
+    }
+  }
+
+  // Counter-clockwise around a point, what is visible lies between a segment that starts there and the next one, which
+  // ends there.
+  void link_at_point(std::span<const Spoke> around) {
+    for (std::size_t i = 0; i < around.size(); ++i) {
+      const Spoke& leaving = around[i];
+      const Spoke& arriving = around[i + 1 == around.size() ? 0 : i + 1];
+      if (leaving.outgoing == arriving.outgoing) {
+        throw InternalError("the visible segments of facet " + std::to_string(segment(leaving.segment).facet.value) +
+                            " do not balance at point " + std::to_string(leaving.point.value));
+      }
+      if (!leaving.outgoing) continue;
+      next_[arriving.segment] = leaving.segment;
+      shared_[leaving.segment] = around.size() > 2 ? 1 : 0;
+    }
+  }
+
+  Walk walk(std::size_t first, std::vector<std::uint8_t>& walked) {
+    Walk result;
+    std::vector<std::size_t> path;
+    std::map<PointId, std::size_t> on_path;  // shared points only: their place on the path
+    for (std::size_t i = first; walked[i] == 0; i = next_[i]) {
+      walked[i] = 1;
+      if (shared_[i] != 0) close_ring_at(segment(i).start, path, on_path, result);
+      path.push_back(i);
+    }
+    add_ring(path, result);
+    std::stable_partition(result.rings.begin(), result.rings.end(), [](const LinkedRing& ring) { return ring.outer; });
+    if (result.rings.size() > 1 && result.rings[1].outer) {
+      throw InternalError("two outer rings around one visible part at point " + std::to_string(result.top.value));
+    }
+    return result;
+  }
+
+  // The walk comes back to a shared point: what it has done since is a ring.
+  void close_ring_at(PointId p, std::vector<std::size_t>& path, std::map<PointId, std::size_t>& on_path, Walk& result) {
+    const auto [place, is_new] = on_path.try_emplace(p, path.size());
+    if (is_new) return;
+    const std::size_t begin = place->second;
+    add_ring(std::span(path).subspan(begin), result);
+    std::erase_if(on_path, [begin](const auto& entry) { return entry.second > begin; });
+    path.resize(begin);
+  }
+
+  void add_ring(std::span<const std::size_t> path, Walk& result) const {
+    std::size_t top = 0;
+    for (std::size_t i = 1; i < path.size(); ++i) {
+      if (order_(segment(path[i]).start, segment(path[top]).start)) top = i;
+    }
+    const std::size_t before = path[top == 0 ? path.size() - 1 : top - 1];
+    LinkedRing ring;
+    ring.outer = cross(direction(before), direction(path[top])) > 0;
+    for (std::size_t i = 0; i < path.size(); ++i) ring.segments.push_back(ids_[path[(top + i) % path.size()]]);
+    const PointId first = segment(path[top]).start;
+    if (!result.top.valid() || order_(first, result.top)) result.top = first;
+    result.rings.push_back(std::move(ring));
+  }
+
+  const ProjectedScene& scene_;
+  const VisibleSegments& segments_;
+  std::span<const SegmentId> ids_;
+  SweepOrder order_;
+  std::vector<Spoke> spokes_;
+  std::vector<std::size_t> next_;     // per segment: the one after it on its walk
+  std::vector<std::uint8_t> shared_;  // per segment: more than one segment starts where it starts
+};
+
+constexpr std::size_t most_in_single_ring = 16;
+
+}  // namespace
+
+SingleRing single_ring(const ProjectedScene& scene, const VisibleSegments& segments, const SweepOrder& order,
+                       std::span<const SegmentId> of_surface) {
+  const std::size_t n = of_surface.size();
+  if (n < 3 || n > most_in_single_ring) return {};
+  const auto segment = [&](SegmentId s) -> const VisibleSegment& { return segments.segments[s.index()]; };
+  SingleRing ring;
+  ring.segments.assign(of_surface.begin(), of_surface.end());
+  const auto start_of = [&](SegmentId s) { return segment(s).start; };
+  std::iter_swap(ring.segments.begin(), std::ranges::min_element(ring.segments, order, start_of));
+  const PointId top = start_of(ring.segments.front());
+  for (auto rest = ring.segments.begin() + 1; rest != ring.segments.end(); ++rest) {
+    const PointId end = segment(*(rest - 1)).end;
+    const auto leaves = [&](SegmentId s) { return start_of(s) == end; };
+    const auto next = std::find_if(rest, ring.segments.end(), leaves);
+    if (end == top || next == ring.segments.end() || std::any_of(next + 1, ring.segments.end(), leaves)) return {};
+    std::iter_swap(rest, next);
+  }
+  const VisibleSegment& first = segment(ring.segments.front());
+  const VisibleSegment& last = segment(ring.segments.back());
+  if (last.end != top) return {};
+  ring.outer = cross(direction_of(scene, last, order), direction_of(scene, first, order)) > 0;
+  return ring;
+}
+
+std::vector<Walk> link_rings(const ProjectedScene& scene, const VisibleSegments& segments,
+                             std::span<const SegmentId> of_surface) {
+  return RingLinker(scene, segments, of_surface).walks();
+}
+
+}  // namespace sightline::inline reconstruct

@@ -1,0 +1,120 @@
+#include "reflect/exact/mirror.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sightline::inline reflect {
+namespace {
+
+// Grid coordinates are exact in double, and so is their share of the half window.
+WindowPart around(const std::vector<ImagePolygon>& polygons, int grid_bits) {
+  const auto coordinate = [grid_bits](std::int64_t grid) { return std::ldexp(static_cast<double>(grid), -grid_bits); };
+  WindowPart part{1, -1, 1, -1};
+  for (const ImagePolygon& polygon : polygons) {
+    for (const ImagePoint& p : polygon) {
+      part.left = std::min(part.left, coordinate(p.x));
+      part.right = std::max(part.right, coordinate(p.x));
+      part.bottom = std::min(part.bottom, coordinate(p.y));
+      part.top = std::max(part.top, coordinate(p.y));
+    }
+  }
+  return part;
+}
+
+// Rounding moves a panel's or a shadow's border by up to half a spacing: what reaches into the widened part counts.
+WindowPart widened(const WindowPart& part, int grid_bits) {
+  const double spacing = std::ldexp(1.0, -grid_bits);
+  return {part.left - spacing, part.right + spacing, part.bottom - spacing, part.top + spacing};
+}
+
+std::vector<Point3> corners_of(const Mesh& mesh, WholeId whole) {
+  std::vector<Point3> corners;
+  for (const VertexId v : whole_corners(mesh, whole)) corners.push_back(mesh.position(v));
+  return corners;
+}
+
+void add_if_any(std::vector<ImagePolygon>& polygons, ImagePolygon polygon) {
+  if (!polygon.empty()) polygons.push_back(std::move(polygon));
+}
+
+}  // namespace
+
+Mirror::Mirror(const MirrorWorld& world, const ProjectedScene& scene, FacetId surface) : world_(world), scene_(scene) {
+  std::array<Point3, 3> plane = plane_points(*world.surface, surface);
+  if (scene.facing[surface.index()] == Facing::back) std::swap(plane[1], plane[2]);
+  forms_ = mirrored_forms(scene.camera, plane);
+}
+
+std::vector<std::size_t> Mirror::panels_reached(const WindowPart& part) const {
+  const Pyramid pyramid(forms_, widened(part, scene_.grid_bits));
+  std::vector<std::size_t> reached;
+  for (std::size_t p = 0; p < world_.panels.size(); ++p) {
+    if (pyramid.may_touch(world_.panel_boxes[p])) reached.push_back(p);
+  }
+  return reached;
+}
+
+RegionBorder Mirror::reflecting(const RegionBorder& polygon, const WindowPart& part, std::size_t panel,
+                                ReflectionStatistics& statistics) {
+  ++statistics.pyramids;
+  const PanelImage& image = image_of(panel);
+  const WindowPart common = common_part(part, image.part);
+  if (image.polygons.empty() || common.is_empty()) return {};
+  return common_part(polygon, lit_region(image.polygons, shadows(common, panel, image, statistics), scene_.grid_bits));
+}
+
+MirrorView& Mirror::exact_view() {
+  if (!view_) view_.emplace(scene_.camera, plane_through(forms_.plane), scene_.grid_bits);
+  return *view_;
+}
+
+const Mirror::PanelImage& Mirror::image_of(std::size_t panel) {
+  const auto [found, is_new] = images_.try_emplace(panel);
+  PanelImage& image = found->second;
+  if (!is_new) return image;
+  const Mesh& mesh = world_.panel_meshes[panel];
+  const ExactPlane& plane = world_.panel_planes[panel];
+  const BallForm ball = ball_form(plane_points(mesh, FacetId(0)));
+  const auto certain = certain_side_of_centre(forms_, scene_.camera, ball);
+  const Sign side = certain ? *certain : exact_view().side_of_centre(plane);
+  if (side == 0 || (side < 0 && world_.panels[panel].emits == Emits::front)) return image;
+  image.towards_centre = side > 0 ? plane : plane.turned();
+  image.towards_centre_ball = side > 0 ? ball : -ball;
+  for (std::size_t f = 0; f < mesh.facet_count(); ++f) {
+    auto polygon = certain_image(forms_, scene_.camera, corners_of(mesh, WholeId(f)), scene_.grid_bits);
+    add_if_any(image.polygons, polygon ? *std::move(polygon) : exact_view().image(whole_polygon(mesh, WholeId(f))));
+  }
+  image.part = around(image.polygons, scene_.grid_bits);
+  return image;
+}
+
+std::vector<ImagePolygon> Mirror::shadows(const WindowPart& part, std::size_t panel, const PanelImage& image,
+                                          ReflectionStatistics& statistics) {
+  const Pyramid pyramid(forms_, widened(part, scene_.grid_bits));
+  std::vector<ImagePolygon> shadows;
+  for (const WholeId obstacle : world_.obstacles.in([&](const Box& box) { return pyramid.may_touch(box); })) {
+    ++statistics.obstacles;
+    add_if_any(shadows, shadow(*world_.surface, obstacle, image));
+  }
+  for (std::size_t p = 0; p < world_.panels.size(); ++p) {
+    if (p == panel || !pyramid.may_touch(world_.panel_boxes[p])) continue;
+    for (std::size_t f = 0; f < world_.panel_meshes[p].facet_count(); ++f) {
+      ++statistics.obstacles;
+      add_if_any(shadows, shadow(world_.panel_meshes[p], WholeId(f), image));
+    }
+  }
+  statistics.blocked += shadows.empty() ? 0 : 1;
+  return shadows;
+}
+
+// Balls decide nearly always.
+ImagePolygon Mirror::shadow(const Mesh& mesh, WholeId obstacle, const PanelImage& image) {
+  const std::vector<Point3> corners = corners_of(mesh, obstacle);
+  if (image.towards_centre_ball.is_positive_at(corners)) {
+    if (auto certain = certain_image(forms_, scene_.camera, corners, scene_.grid_bits)) return *std::move(certain);
+  }
+  const CutPolygon before_panel = part_in_front(whole_polygon(mesh, obstacle), image.towards_centre);
+  return before_panel.empty() ? ImagePolygon{} : exact_view().image(before_panel);
+}
+
+}  // namespace sightline::inline reflect

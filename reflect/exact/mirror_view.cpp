@@ -1,0 +1,94 @@
+#include "reflect/exact/mirror_view.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "geometry/projection/clipping.h"
+
+namespace sightline::inline reflect {
+namespace {
+
+ExactPlane sum(const ExactPlane& p, const ExactPlane& q) { return {p.a + q.a, p.b + q.b, p.c + q.c, p.d + q.d}; }
+
+// A camera's X, Y and W as forms with integer coefficients over one common positive factor.
+struct CameraForms {
+  ExactPlane x, y, w;
+};
+
+CameraForms camera_forms(const Camera& camera) {
+  std::vector<double> values{1.0};
+  for (const Vector3& v : {camera.right, camera.up, camera.forward, camera.origin})
+    values.insert(values.end(), {v.x, v.y, v.z});
+  const int lowest = exponent_range(values).lowest;
+  const auto integer = [lowest](double value) { return scaled<BigInteger>(value, lowest); };
+  const BigInteger unit = integer(1.0);
+  // row . (v - origin), times unit * unit.
+  const auto form = [&](const Vector3& row) {
+    const BigInteger at_origin = integer(row.x) * integer(camera.origin.x) + integer(row.y) * integer(camera.origin.y) +
+                                 integer(row.z) * integer(camera.origin.z);
+    return ExactPlane{integer(row.x) * unit, integer(row.y) * unit, integer(row.z) * unit, -at_origin};
+  };
+  const bool perspective = camera.projection == Projection::perspective;
+  return {form(camera.right), form(camera.up), perspective ? form(camera.forward) : ExactPlane{0, 0, 0, unit * unit}};
+}
+
+// The form that gives a point what `form` gives its mirror image, times n . n > 0: a point v has the image
+// v - 2 h(v) / (n . n) n, with the mirror's form h and its normal n.
+ExactPlane in_mirror(const ExactPlane& form, const ExactPlane& mirror) {
+  const BigInteger norm = mirror.a * mirror.a + mirror.b * mirror.b + mirror.c * mirror.c;
+  const BigInteger twice = 2 * (form.a * mirror.a + form.b * mirror.b + form.c * mirror.c);
+  return {norm * form.a - twice * mirror.a, norm * form.b - twice * mirror.b, norm * form.c - twice * mirror.c,
+          norm * form.d - twice * mirror.d};
+}
+
+ExactPosition mirrored(const ExactPosition& p, const ExactPlane& mirror) {
+  const BigInteger norm = mirror.a * mirror.a + mirror.b * mirror.b + mirror.c * mirror.c;
+  const BigInteger twice = 2 * mirror.height(p);
+  return {norm * p.x - twice * mirror.a, norm * p.y - twice * mirror.b, norm * p.z - twice * mirror.c, norm * p.w};
+}
+
+}  // namespace
+
+ExactPosition exact_eye(const Camera& camera) {
+  ExactPosition eye = exact_position(camera.eye.xyz);
+  if (camera.eye.w == 0) eye.w = 0;
+  return eye;
+}
+
+MirrorView::MirrorView(const Camera& camera, const ExactPlane& mirror, int grid_bits)
+    : mirror_(mirror), centre_(mirrored(exact_eye(camera), mirror)), grid_bits_(grid_bits) {
+  const CameraForms forms = camera_forms(camera);
+  x_ = in_mirror(forms.x, mirror);
+  y_ = in_mirror(forms.y, mirror);
+  // The constant form of an orthographic camera stays itself, times the same factor.
+  w_ = in_mirror(forms.w, mirror);
+  bounds_ = {sum(w_, x_), sum(w_, x_.turned()), sum(w_, y_), sum(w_, y_.turned())};
+}
+
+Sign MirrorView::side_of_centre(const ExactPlane& plane) const { return plane.side(centre_); }
+
+ImagePolygon MirrorView::image(CutPolygon polygon) const {
+  polygon = part_in_front(polygon, mirror_);
+  for (const ExactPlane& bound : bounds_) {
+    if (polygon.empty()) return {};
+    polygon = part_in_front(polygon, bound);
+  }
+  ImagePolygon image;
+  for (const CutCorner& corner : polygon) {
+    ExactCorner seen;
+    seen.x = x_.height(corner.position);
+    seen.y = y_.height(corner.position);
+    seen.w = w_.height(corner.position);
+    image.push_back(round_to_grid(seen, grid_bits_));
+  }
+  return distinct_corners(image);
+}
+
+ImagePolygon distinct_corners(const ImagePolygon& corners) {
+  ImagePolygon distinct;
+  std::unique_copy(corners.begin(), corners.end(), std::back_inserter(distinct));
+  while (distinct.size() > 1 && distinct.back() == distinct.front()) distinct.pop_back();
+  return distinct.size() < 3 ? ImagePolygon{} : distinct;
+}
+
+}  // namespace sightline::inline reflect

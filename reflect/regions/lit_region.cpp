@@ -1,0 +1,69 @@
+#include "reflect/regions/lit_region.h"
+
+#include <algorithm>
+
+#include "sweep/plain/sweep.h"
+
+namespace sightline::inline reflect {
+namespace {
+
+ImageLine line_between(const ImagePoint& p, const ImagePoint& q) {
+  return sweeps_before(p, q) ? ImageLine{p, q} : ImageLine{q, p};
+}
+
+// Twice the signed area.
+Int128 twice_area(const ImagePolygon& polygon) {
+  Int128 sum = 0;
+  for (std::size_t i = 1; i + 1 < polygon.size(); ++i) sum += twice_area(polygon[0], polygon[i], polygon[i + 1]);
+  return sum;
+}
+
+// Counter-clockwise.
+void add_border(RegionBorder& border, ImagePolygon polygon) {
+  if (twice_area(polygon) < 0) std::ranges::reverse(polygon);
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const ImagePoint& p = polygon[i];
+    const ImagePoint& q = polygon[i + 1 == polygon.size() ? 0 : i + 1];
+    border.push_back({grid_place(p), grid_place(q), line_between(p, q)});
+  }
+}
+
+ImagePlace place_of(const ProjectedScene& scene, const VisibleSegments& segments, PointId p) {
+  if (p.index() < scene.points.size()) return grid_place(scene.point(p));
+  const Crossing& crossing = segments.crossings[p.index() - scene.points.size()];
+  const auto line = [&](EdgeId e) {
+    return ImageLine{scene.point(scene.edge(e).top), scene.point(scene.edge(e).bottom)};
+  };
+  return crossing_place(line(crossing.a), line(crossing.b));
+}
+
+}  // namespace
+
+BorderPiece border_piece(const ProjectedScene& scene, const VisibleSegments& segments, const VisibleSegment& segment) {
+  const SceneEdge& edge = scene.edge(segment.edge);
+  return {place_of(scene, segments, segment.start),
+          place_of(scene, segments, segment.end),
+          {scene.point(edge.top), scene.point(edge.bottom)}};
+}
+
+RegionBorder lit_region(const std::vector<ImagePolygon>& panel, const std::vector<ImagePolygon>& shadows,
+                        int grid_bits) {
+  RegionBorder border;
+  if (shadows.empty()) {
+    for (const ImagePolygon& polygon : panel) add_border(border, polygon);
+    return border;
+  }
+  Sheets sheets(grid_bits);
+  for (const ImagePolygon& polygon : panel) sheets.add(polygon, 0);
+  const std::size_t lit = sheets.count();
+  for (const ImagePolygon& polygon : shadows) sheets.add(polygon, 1);
+  const Mesh mesh = sheets.mesh();
+  const ProjectedScene scene = project(mesh, straight_down(), Sides::both, {Arithmetic::exact, grid_bits});
+  const VisibleSegments segments = plain_sweep(mesh, scene);
+  for (const VisibleSegment& segment : segments.segments) {
+    if (mesh.facet_face[segment.facet.index()].index() < lit) border.push_back(border_piece(scene, segments, segment));
+  }
+  return border;
+}
+
+}  // namespace sightline::inline reflect

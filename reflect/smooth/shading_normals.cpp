@@ -1,0 +1,74 @@
+#include "reflect/smooth/shading_normals.h"
+
+#include <algorithm>
+
+#include "geometry/mesh/facet_plane.h"
+#include "geometry/numbers/vector3.h"
+#include "reflect/world/mirror_world.h"
+
+namespace sightline::inline reflect {
+namespace {
+
+// The normal at the face's corner that is this vertex; zero where there are none.
+Vector3 normal_at(const Mesh& mesh, const std::vector<Vector3>& normals, FaceId face, VertexId vertex) {
+  if (normals.empty()) return {};
+  const auto corners = mesh.faces[face.index()];
+  const auto corner = std::ranges::find(corners, vertex);
+  if (corner == corners.end()) return {};
+  return normals[mesh.faces.begin[face.index()] + static_cast<std::size_t>(corner - corners.begin())];
+}
+
+double clamped(double barycentric) { return std::clamp(barycentric, -1.0, 2.0); }
+
+WholeId whole_of(const Mesh& mesh, std::size_t facet) {
+  return mesh.is_cut() ? mesh.cuts.whole_of[facet] : WholeId(facet);
+}
+
+}  // namespace
+
+ShadingNormals::ShadingNormals(const Mesh& mesh, const std::vector<Vector3>& vertex_normals, FacetId surface) {
+  const std::array<Point3, 3> plane = plane_points(mesh, surface);
+  scale_ = unit_scale(plane);
+  plane_normal_ = unit(cross(scale_ * plane[1] - scale_ * plane[0], scale_ * plane[2] - scale_ * plane[0]));
+  WholeId last;
+  for (std::size_t f = surface.index(); f < end_of_surface(mesh, surface).index(); ++f) {
+    const WholeId whole = whole_of(mesh, f);
+    if (whole == last) continue;
+    last = whole;
+    const auto corners = whole_corners(mesh, whole);
+    for (std::size_t i = 1; i + 1 < corners.size(); ++i)
+      add(mesh, vertex_normals, mesh.facet_face[f], {corners[0], corners[i], corners[i + 1]});
+  }
+}
+
+void ShadingNormals::add(const Mesh& mesh, const std::vector<Vector3>& vertex_normals, FaceId face,
+                         const std::array<VertexId, 3>& corners) {
+  const auto position = [&](std::size_t i) { return scale_ * mesh.position(corners[i]); };
+  const Vector3 second = position(1) - position(0);
+  const Vector3 third = position(2) - position(0);
+  const Vector3 normal = cross(second, third);
+  const double square = dot(normal, normal);
+  if (!(square > 0)) return;
+  Triangle triangle{position(0), (1 / square) * cross(third, normal), (1 / square) * cross(normal, second), {}};
+  for (std::size_t i = 0; i < 3; ++i) triangle.normals[i] = normal_at(mesh, vertex_normals, face, corners[i]);
+  triangles_.push_back(triangle);
+}
+
+Vector3 ShadingNormals::at(const Point3& p) const {
+  Vector3 found;
+  double least_of_found = 0;
+  for (const Triangle& triangle : triangles_) {
+    const Vector3 from_first = scale_ * p - triangle.first;
+    const double second = dot(from_first, triangle.to_second);
+    const double third = dot(from_first, triangle.to_third);
+    const double least = std::min({1 - second - third, second, third});
+    if (found != Vector3{} && least <= least_of_found) continue;
+    least_of_found = least;
+    found = clamped(1 - second - third) * triangle.normals[0] + clamped(second) * triangle.normals[1] +
+            clamped(third) * triangle.normals[2];
+  }
+  const Vector3 normal = unit(found);
+  return normal == Vector3{} ? plane_normal_ : normal;
+}
+
+}  // namespace sightline::inline reflect

@@ -1,0 +1,44 @@
+// Everything that can be reflected or be in the way, prepared once for all cameras.
+#pragma once
+
+#include <vector>
+
+#include "geometry/cutting/facet_cutter.h"
+#include "reflect/world/obstacles.h"
+#include "reflect/world/panel.h"
+#include "reflect/world/reflection_options.h"
+
+namespace sightline::inline reflect {
+
+struct MirrorWorld {
+  const Mesh* surface = nullptr;
+  std::vector<Panel> panels;
+  ReflectionOptions options;
+  std::vector<Mesh> panel_meshes;  // one face each
+  std::vector<ExactPlane> panel_planes;
+  std::vector<Box> panel_boxes;
+  Obstacles obstacles;
+  double scale = 1;              // unit_scale of the surface's vertices
+  std::vector<Vector3> normals;  // where the options need them: vertex_normals(surface)
+};
+
+// given_normals: see vertex_normals. Errors: PanelError.
+[[nodiscard]] MirrorWorld make_mirror_world(const Mesh& surface, std::vector<Panel> panels,
+                                            const ReflectionOptions& options = {},
+                                            const std::vector<Vector3>& given_normals = {});
+
+[[nodiscard]] CutPolygon whole_polygon(const Mesh& mesh, WholeId whole);
+
+// Three corners that are not on one line.
+[[nodiscard]] std::array<Point3, 3> plane_points(const Mesh& mesh, FacetId facet);
+[[nodiscard]] ExactPlane plane_through(const std::array<Point3, 3>& points);
+
+struct ReflectionStatistics {
+  std::uint64_t pyramids = 0;   // pairs of a panel and what may reflect it: a visible polygon, a triangle, a cell
+  std::uint64_t obstacles = 0;  // facets, or for triangles vertices, that were looked at in them
+  std::uint64_t blocked = 0;    // pyramids in which an obstacle casts a shadow on the panel's image, or is in the way
+  double looked_area = 0;       // of the cells of smooth mirrors, in window units
+  double changed_area = 0;      // by how much dividing these cells for the last time changed what reflects in them
+};
+
+}  // namespace sightline::inline reflect

@@ -1,0 +1,144 @@
+#include "sweep/bands/bands.h"
+
+#include <algorithm>
+#include <atomic>
+
+#include "geometry/mesh/facet_plane.h"
+#include "geometry/numbers/parallel.h"
+
+namespace sightline::inline sweep {
+namespace {
+
+using BandSet = std::uint64_t;
+static_assert(8 * sizeof(BandSet) == most_bands);
+
+class BandMaker {
+ public:
+  BandMaker(const Mesh& mesh, const std::vector<Role>& roles, const CellGrid& grid, const FacetCells& cells,
+            std::size_t count)
+      : mesh_(mesh), roles_(roles), grid_(grid), cells_(cells), count_(std::clamp<std::size_t>(count, 1, most_bands)) {
+    result_.swept.resize(count_);
+  }
+
+  Bands make() {
+    part_open_facets();
+    find_swept();
+    return std::move(result_);
+  }
+
+ private:
+  [[nodiscard]] bool is_open(std::size_t f) const { return roles_[f] == Role::open; }
+
+  // By the highest row of cells that a facet's surface touches, so that bands have about as many open facets each.
+  void part_open_facets() {
+    const std::vector<std::uint32_t> row = top_rows();
+    std::vector<std::size_t> in_row(grid_.side(), 0);
+    std::size_t open = 0;
+    for (std::size_t f = 0; f < mesh_.facet_count(); ++f) {
+      if (!is_open(f)) continue;
+      ++in_row[row[surface_of(mesh_, FacetId(f)).index()]];
+      ++open;
+    }
+    std::vector<BandId> band_of_row;
+    std::size_t before = 0;
+    for (const std::size_t here : in_row) {
+      band_of_row.emplace_back(std::min(count_ - 1, before * count_ / std::max<std::size_t>(open, 1)));
+      before += here;
+    }
+    result_.band_of.resize(mesh_.facet_count());
+    for (std::size_t f = 0; f < mesh_.facet_count(); ++f) {
+      if (is_open(f)) result_.band_of[f] = band_of_row[row[surface_of(mesh_, FacetId(f)).index()]];
+    }
+  }
+
+  // Per surface, named by its first facet.
+  [[nodiscard]] std::vector<std::uint32_t> top_rows() const {
+    std::vector<std::uint32_t> row(mesh_.facet_count(), 0);
+    parallel_for_each(row.size(), [&](std::size_t surface) {
+      if (surface_of(mesh_, FacetId(surface)).index() != surface) return;
+      const std::size_t end = end_of_surface(mesh_, FacetId(surface)).index();
+      for (std::size_t f = surface; f < end; ++f) {
+        if (is_open(f)) row[surface] = std::max(row[surface], top_row(FacetId(f)));
+      }
+    });
+    return row;
+  }
+
+  [[nodiscard]] std::uint32_t top_row(FacetId f) const {
+    std::uint32_t top = 0;
+    for (const FacetCell& cell : cells_.of(f)) top = std::max(top, cell.cell() / grid_.side());
+    return top;
+  }
+
+  // Per cell the bands of the open facets that touch it.
+  [[nodiscard]] std::vector<BandSet> open_in_cells() const {
+    std::vector<BandSet> open(grid_.cell_count(), 0);
+    parallel_for_each(mesh_.facet_count(), [&](std::size_t f) {
+      if (!is_open(f)) return;
+      for (const FacetCell& cell : cells_.of(FacetId(f)))
+        std::atomic_ref(open[cell.cell()]).fetch_or(set_of_band(f), std::memory_order_relaxed);
+    });
+    return open;
+  }
+
+  // Of an open facet.
+  [[nodiscard]] BandSet set_of_band(std::size_t f) const { return BandSet{1} << result_.band_of[f].value; }
+
+  void find_swept() {
+    const std::vector<BandSet> open_in_cell = open_in_cells();
+    std::vector<BandSet> bands_of(mesh_.facet_count(), 0);
+    parallel_for_each(bands_of.size(), [&](std::size_t f) {
+      if (roles_[f] == Role::absent || roles_[f] == Role::hidden) return;
+      if (is_open(f)) bands_of[f] = set_of_band(f);
+      for (const FacetCell& cell : cells_.of(FacetId(f))) bands_of[f] |= open_in_cell[cell.cell()];
+    });
+    parallel_for_each(count_, 1, [&](std::size_t band) {
+      for (std::size_t f = 0; f < bands_of.size(); ++f) {
+        if ((bands_of[f] >> band & 1U) != 0) result_.swept[band].emplace_back(f);
+      }
+    });
+  }
+
+  const Mesh& mesh_;
+  const std::vector<Role>& roles_;
+  const CellGrid& grid_;
+  const FacetCells& cells_;
+  const std::size_t count_;
+  Bands result_;
+};
+
+// So many open facets make up for what a band costs.
+constexpr std::size_t open_facets_in_a_band = 10000;
+// What reaches from one band into the next is swept twice: so many times higher than a facet should a band be.
+constexpr double band_height_in_facets = 20;
+// But so many bands are shared out at any price.
+constexpr std::size_t bands_at_any_price = 4;
+
+unsigned rows_of(std::span<const FacetCell> cells, const CellGrid& grid) {
+  if (cells.empty()) return 0;
+  const auto [low, high] = std::ranges::minmax(cells, {}, &FacetCell::cell);
+  return high.cell() / grid.side() - low.cell() / grid.side() + 1;
+}
+
+}  // namespace
+
+std::size_t band_count(const std::vector<Role>& roles, const CellGrid& grid, const FacetCells& cells) {
+  std::atomic<std::size_t> open = 0;
+  std::atomic<std::size_t> rows = 0;
+  parallel_for_each(roles.size(), [&](std::size_t f) {
+    if (roles[f] != Role::open) return;
+    open.fetch_add(1, std::memory_order_relaxed);
+    rows.fetch_add(rows_of(cells.of(FacetId(f)), grid), std::memory_order_relaxed);
+  });
+  if (open == 0) return 1;
+  const double mean_rows = static_cast<double>(rows) / static_cast<double>(open);
+  const auto by_height = static_cast<std::size_t>(grid.side() / (band_height_in_facets * std::max(mean_rows, 1.0)));
+  return std::min(1 + open / open_facets_in_a_band, std::max(bands_at_any_price, by_height));
+}
+
+Bands make_bands(const Mesh& mesh, const std::vector<Role>& roles, const CellGrid& grid, const FacetCells& cells,
+                 std::size_t count) {
+  return BandMaker(mesh, roles, grid, cells, count).make();
+}
+
+}  // namespace sightline::inline sweep

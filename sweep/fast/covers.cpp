@@ -1,0 +1,226 @@
+#include "sweep/fast/covers.h"
+
+#include <tbb/enumerable_thread_specific.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/numbers/parallel.h"
+#include "sweep/fast/facet_outline.h"
+#include "sweep/fast/facets_by_cell.h"
+#include "sweep/fast/whole_surfaces.h"
+#include "sweep/plain/depth_order.h"
+
+namespace sightline::inline sweep {
+namespace {
+
+// After so many sheets over a cell's centre that do not cover it, no more are tried.
+constexpr std::size_t most_failures = 4;
+
+// Whether an edge certainly misses a square: its line passes the centre further away than the corners are. The products are
+// off by less than 2^-50 of their absolute values.
+bool misses(const ImagePoint& a, const ImagePoint& b, const ImagePoint& centre, std::int64_t cell_size) {
+  const double half = static_cast<double>(cell_size) / 2;
+  const auto ax = static_cast<double>(a.x - centre.x);
+  const auto ay = static_cast<double>(a.y - centre.y);
+  const auto bx = static_cast<double>(b.x - centre.x);
+  const auto by = static_cast<double>(b.y - centre.y);
+  if (std::min(ax, bx) > half || std::max(ax, bx) < -half) return true;
+  if (std::min(ay, by) > half || std::max(ay, by) < -half) return true;
+  const double left = ax * by;
+  const double right = ay * bx;
+  const double reach = half * (std::fabs(bx - ax) + std::fabs(by - ay));
+  return std::fabs(left - right) > reach * (1 + 0x1p-40) + 0x1p-40 * (std::fabs(left) + std::fabs(right));
+}
+
+bool boxes_are_apart(std::span<const ImagePoint> a, std::span<const ImagePoint> b) {
+  const auto apart = [&](auto coordinate) {
+    const auto [a_low, a_high] = std::ranges::minmax(a, {}, coordinate);
+    const auto [b_low, b_high] = std::ranges::minmax(b, {}, coordinate);
+    return coordinate(a_high) <= coordinate(b_low) || coordinate(b_high) <= coordinate(a_low);
+  };
+  return apart([](const ImagePoint& p) { return p.x; }) || apart([](const ImagePoint& p) { return p.y; });
+}
+
+// Whether all the points are on the outer side of an edge of a convex polygon with this turn, or on its line.
+bool is_beyond_an_edge(std::span<const ImagePoint> points, std::span<const ImagePoint> polygon, Sign turn) {
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const ImagePoint& next = polygon[i + 1 == polygon.size() ? 0 : i + 1];
+    const auto is_outside = [&](const ImagePoint& p) { return orientation(polygon[i], next, p) * turn <= 0; };
+    if (std::ranges::all_of(points, is_outside)) return true;
+  }
+  return false;
+}
+
+// Looks at some of the cells, and counts for each facet in how many of them it is not in front.
+class CoverFinder {
+ public:
+  CoverFinder(const Mesh& mesh, const ProjectedScene& scene, const std::vector<DepthRange>& depths,
+              const Continuation& continuation, const CellGrid& grid, const Grouping<CellFacet>& facets,
+              std::vector<std::uint8_t>& one_sheet)
+      : scene_(scene),
+        depths_(depths),
+        continuation_(continuation),
+        grid_(grid),
+        facets_(facets),
+        one_sheet_(one_sheet),
+        order_(mesh, scene, depths),
+        mark_(scene.status.size(), 0),
+        hidden_cells_(scene.status.size(), 0) {}
+
+  void look_at_row(unsigned row) {
+    for (unsigned column = 0; column < grid_.side(); ++column) {
+      cell_ = grid_.cell(column, row);
+      centre_ = grid_.centre(column, row);
+      if (!facets_.of(cell_).empty()) look_at_cell();
+    }
+  }
+
+  [[nodiscard]] const std::vector<std::uint32_t>& hidden_cells() const { return hidden_cells_; }
+
+ private:
+  void look_at_cell() {
+    find_over_centre();
+    if (!find_cover()) return;
+    const std::size_t cover_size = in_front_.size();
+    find_others();
+    for (std::size_t i = 0; i < in_front_.size();) bring_forward(in_front_[i++]);
+    for (const FacetId f : behind_) ++hidden_cells_[f.index()];
+    one_sheet_[cell_] = in_front_.size() == cover_size ? 1 : 0;
+  }
+
+  void find_over_centre() {
+    over_centre_.clear();
+    for (const auto& [f, over_centre] : facets_.of(cell_)) {
+      if (over_centre && continuation_.is_proper(f)) over_centre_.push_back(f);
+    }
+    std::ranges::sort(over_centre_, {}, [this](FacetId f) { return std::pair(depths_[f.index()].farthest, f); });
+  }
+
+  // The sheet of a facet over the centre that covers the cell, and no other's that is tried lies before it: its facets are in
+  // front, and have the last mark.
+  bool find_cover() {
+    FacetId cover;
+    std::size_t failed = 0;
+    for (const FacetId f : over_centre_) {
+      if (cover.valid() && !order_.nearer(f, cover)) continue;
+      if (flood_cover(f)) {
+        cover = f;
+      } else if (++failed == most_failures) {
+        break;
+      }
+    }
+    return cover.valid() && flood_cover(cover);
+  }
+
+  // False where the sheet meets a contour edge in the cell.
+  bool flood_cover(FacetId first) {
+    ++marks_;
+    cover_farthest_ = -std::numeric_limits<double>::infinity();
+    in_front_.clear();
+    add_to_cover(first);
+    for (std::size_t i = 0; i < in_front_.size();) {
+      const FacetId f = in_front_[i++];
+      for (const EdgeId e : continuation_.edges_of(scene_, f)) {
+        if (e.valid() && misses_cell(e)) continue;
+        if (!e.valid() || continuation_.is_contour(e)) return false;
+        add_to_cover(across(e, f));
+      }
+    }
+    return true;
+  }
+
+  void add_to_cover(FacetId f) {
+    if (mark_[f.index()] == marks_) return;
+    mark_[f.index()] = marks_;
+    in_front_.push_back(f);
+    cover_farthest_ = std::max(cover_farthest_, depths_[f.index()].farthest);
+  }
+
+  // What is deeper than all of the cover is hidden; what else is not of the cover may be behind it.
+  void find_others() {
+    behind_.clear();
+    for (const auto& [f, over_centre] : facets_.of(cell_)) {
+      if (mark_[f.index()] == marks_) continue;
+      if (depths_[f.index()].nearest > cover_farthest_) {
+        ++hidden_cells_[f.index()];
+      } else {
+        behind_.push_back(f);
+      }
+    }
+  }
+
+  // What is not behind one that is in front is in front, too.
+  void bring_forward(FacetId front) {
+    const auto from = std::partition(behind_.begin(), behind_.end(), [&](FacetId f) { return is_behind(f, front); });
+    in_front_.insert(in_front_.end(), from, behind_.end());
+    behind_.erase(from, behind_.end());
+  }
+
+  [[nodiscard]] bool is_behind(FacetId f, FacetId front) {
+    if (depths_[front.index()].farthest < depths_[f.index()].nearest) return true;
+    const FacetOutline outline(scene_, f);
+    const FacetOutline front_outline(scene_, front);
+    return boxes_are_apart(outline.points(), front_outline.points()) || order_.nearer(front, f) ||
+           is_beyond(outline, front, front_outline) || is_beyond(front_outline, f, outline);
+  }
+
+  [[nodiscard]] bool is_beyond(const FacetOutline& outline, FacetId f, const FacetOutline& of_f) const {
+    const Sign turn = scene_.facing[f.index()] == Facing::back ? -1 : 1;
+    return continuation_.is_proper(f) && is_beyond_an_edge(outline.points(), of_f.points(), turn);
+  }
+
+  [[nodiscard]] bool misses_cell(EdgeId e) const {
+    const ImagePoint& top = scene_.point(scene_.edge(e).top);
+    const ImagePoint& bottom = scene_.point(scene_.edge(e).bottom);
+    return grid_.is_on_border(top, bottom) || misses(top, bottom, centre_, grid_.cell_size());
+  }
+
+  [[nodiscard]] FacetId across(EdgeId e, FacetId f) const {
+    const Neighbours& neighbours = continuation_.across(e);
+    return neighbours.left == f ? neighbours.right : neighbours.left;
+  }
+
+  const ProjectedScene& scene_;
+  const std::vector<DepthRange>& depths_;
+  const Continuation& continuation_;
+  const CellGrid& grid_;
+  const Grouping<CellFacet>& facets_;
+  std::vector<std::uint8_t>& one_sheet_;
+  DepthOrder order_;
+  std::vector<std::uint32_t> mark_;          // per facet: the last sheet that it was of
+  std::vector<std::uint32_t> hidden_cells_;  // per facet: in how many cells it is not in front
+  std::uint32_t marks_ = 0;
+
+  // Of the current cell:
+  CellIndex cell_ = 0;
+  ImagePoint centre_;
+  std::vector<FacetId> over_centre_;
+  std::vector<FacetId> in_front_;
+  std::vector<FacetId> behind_;
+  double cover_farthest_ = 0;
+};
+
+}  // namespace
+
+Covers find_covers(const Mesh& mesh, const ProjectedScene& scene, const std::vector<DepthRange>& depths,
+                   const Continuation& continuation, const CellGrid& grid, const FacetCells& cells,
+                   std::vector<std::uint8_t> hidden) {
+  Covers covers{std::move(hidden), count_over_centre(cells, grid, scene.status.size())};
+  const Grouping<CellFacet> facets = facets_by_cell(cells, covers.one_sheet, scene.status.size());
+  std::ranges::replace(covers.one_sheet, 2, 0);
+  tbb::enumerable_thread_specific<CoverFinder> finders(
+      [&] { return CoverFinder(mesh, scene, depths, continuation, grid, facets, covers.one_sheet); });
+  constexpr std::size_t rows_in_a_row = 8;
+  parallel_for_each(grid.side(), rows_in_a_row,
+                    [&](std::size_t row) { finders.local().look_at_row(static_cast<unsigned>(row)); });
+  parallel_for_each(covers.hidden.size(), [&](std::size_t f) {
+    std::size_t hidden_cells = 0;
+    for (const CoverFinder& finder : finders) hidden_cells += finder.hidden_cells()[f];
+    if (hidden_cells > 0 && hidden_cells == cells.of(FacetId(f)).size()) covers.hidden[f] = 1;
+  });
+  keep_surfaces_whole(mesh, scene, covers.hidden);
+  return covers;
+}
+
+}  // namespace sightline::inline sweep

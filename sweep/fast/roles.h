@@ -1,0 +1,34 @@
+// What the sweep has to look at.
+//
+// In:  a mesh, its projected scene, where the surface continues, what covers hide, a grid of cells and the cells of facets.
+// Out: per facet its role.
+// Holds: in the cells that a plain facet touches there is one sheet of facets that may be seen, and no contour edge of
+//      these; so all of it is seen, and its neighbours are seen along its edges.
+// Complexity: O(n) and the cells that contour edges touch.
+// Source: DESIGN.md section 8, idea 1.
+#pragma once
+
+#include <vector>
+
+#include "geometry/mesh/mesh.h"
+#include "geometry/projection/projected_scene.h"
+#include "sweep/fast/cell_grid.h"
+#include "sweep/fast/continuation.h"
+#include "sweep/fast/covers.h"
+#include "sweep/fast/facet_cells.h"
+
+namespace sightline::inline sweep {
+
+// What becomes of a facet. A role that is not listed here does not exist.
+enum class Role : std::uint8_t {
+  absent,  // not in view
+  hidden,  // behind covers
+  plain,   // seen whole
+  open,    // the sweep decides
+};
+
+[[nodiscard]] std::vector<Role> find_roles(const Mesh& mesh, const ProjectedScene& scene,
+                                           const Continuation& continuation, const Covers& covers, const CellGrid& grid,
+                                           const FacetCells& cells);
+
+}  // namespace sightline::inline sweep

@@ -1,0 +1,145 @@
+#include "sweep/plain/depth_order.h"
+
+#include <algorithm>
+
+#include "geometry/mesh/facet_plane.h"
+#include "geometry/projection/unfiltered.h"
+
+namespace sightline::inline sweep {
+
+DepthOrder::DepthOrder(const Mesh& mesh, const ProjectedScene& scene, std::span<const DepthRange> ranges)
+    : mesh_(mesh),
+      arithmetic_(scene.arithmetic),
+      eye_(scene.camera.eye),
+      facing_(scene.facing),
+      pieces_(mesh, scene),
+      ranges_(ranges) {}
+
+// A mesh that was not cut has its facets whole.
+WholeId DepthOrder::whole_of(FacetId f) const {
+  return mesh_.is_cut() ? mesh_.cuts.whole_of[f.index()] : WholeId(f.index());
+}
+
+FacetId DepthOrder::first_facet(WholeId w) const {
+  return mesh_.is_cut() ? mesh_.cuts.first_facet[w.index()] : FacetId(w.index());
+}
+
+std::span<const VertexId> DepthOrder::corners(WholeId w) const {
+  return mesh_.is_cut() ? mesh_.cuts.wholes[w.index()] : mesh_.corners(FacetId(w.index()));
+}
+
+bool DepthOrder::is_turned(WholeId w) const { return facing_[first_facet(w).index()] == Facing::back; }
+
+bool DepthOrder::nearer(FacetId f, FacetId g) {
+  ++comparisons_;
+  if (!ranges_.empty() && ranges_[f.index()].farthest < ranges_[g.index()].nearest) return true;
+  if (!ranges_.empty() && ranges_[g.index()].farthest < ranges_[f.index()].nearest) return false;
+  return f < g ? lower_is_nearer(f, g) : !lower_is_nearer(g, f);
+}
+
+// f has the lower facet index, and with it the lower or the same face index.
+bool DepthOrder::lower_is_nearer(FacetId f, FacetId g) {
+  const WholeId of_f = whole_of(f);
+  const WholeId of_g = whole_of(g);
+  if (of_f == of_g) return true;
+  if (mesh_.is_cut() && pieces_.applies_to(of_f, of_g)) return pieces_.lower_is_nearer(f, g);
+  return lower_whole_is_nearer(of_f, of_g);
+}
+
+bool DepthOrder::lower_whole_is_nearer(WholeId f, WholeId g) {
+  const Evidence of_f = corners_against_plane(f, g);
+  if (of_f.front == 0 && of_f.behind == 0) return true;
+  if (of_f.front == 0 || of_f.behind == 0) return of_f.front > 0;
+  const Evidence of_g = corners_against_plane(g, f);
+  if (of_g.front == 0 || of_g.behind == 0) return of_g.behind > 0;
+  const Evidence seen = overlap_evidence(f, g);
+  return seen.front >= seen.behind;
+}
+
+// Stops as soon as f is known to straddle the plane.
+DepthOrder::Evidence DepthOrder::corners_against_plane(WholeId f, WholeId g) {
+  Evidence evidence;
+  for (const VertexId v : corners(f)) {
+    evidence.add(side_towards_eye(g, v));
+    if (evidence.front > 0 && evidence.behind > 0) break;
+  }
+  return evidence;
+}
+
+DepthOrder::Evidence DepthOrder::overlap_evidence(WholeId f, WholeId g) {
+  Evidence evidence;
+  for (const VertexId v : corners(f)) {
+    if (covers(g, v)) evidence.add(side_towards_eye(g, v));
+  }
+  for (const VertexId v : corners(g)) {
+    if (covers(f, v)) evidence.add(-side_towards_eye(f, v));
+  }
+  add_edge_crossings(f, g, evidence);
+  return evidence;
+}
+
+// Whether the ray from the eye to v meets the facet, its border included.
+bool DepthOrder::covers(WholeId f, VertexId v) {
+  const auto around = corners(f);
+  const Sign turn = is_turned(f) ? -1 : 1;
+  for (std::size_t i = 0; i < around.size(); ++i) {
+    const VertexId next = around[i + 1 == around.size() ? 0 : i + 1];
+    if (seen_orientation(around[i], next, v) * turn < 0) return false;
+  }
+  return true;
+}
+
+// Two edges ab of f and cd of g cross, seen from the eye, where the four orientations below agree (the test for arcs on
+// the sphere of directions; it excludes arcs that cross behind the eye). There cd is nearer than ab where d and the eye
+// are on one side of the plane abc.
+void DepthOrder::add_edge_crossings(WholeId f, WholeId g, Evidence& evidence) {
+  const auto f_corners = corners(f);
+  const auto g_corners = corners(g);
+  for (std::size_t i = 0; i < f_corners.size(); ++i) {
+    const VertexId a = f_corners[i];
+    const VertexId b = f_corners[i + 1 == f_corners.size() ? 0 : i + 1];
+    for (std::size_t j = 0; j < g_corners.size(); ++j) {
+      const VertexId c = g_corners[j];
+      const VertexId d = g_corners[j + 1 == g_corners.size() ? 0 : j + 1];
+      const Sign abc = seen_orientation(a, b, c);
+      if (abc == 0 || seen_orientation(a, b, d) != -abc) continue;
+      if (seen_orientation(c, d, b) != abc || seen_orientation(c, d, a) != -abc) continue;
+      evidence.add(-abc * orientation(a, b, c, {mesh_.position(d), 1}));
+    }
+  }
+}
+
+// +1 where v is on the eye's side of the facet's plane. A corner of the facet is on the plane by index, without
+// arithmetic.
+Sign DepthOrder::side_towards_eye(WholeId plane, VertexId v) {
+  const VertexId welded = mesh_.weld[v.index()];
+  for (const VertexId corner : corners(plane)) {
+    if (mesh_.weld[corner.index()] == welded) return 0;
+  }
+  const auto [a, b, c] = plane_of(plane);
+  return orientation(a, b, c, {mesh_.position(v), 1});
+}
+
+std::array<VertexId, 3> DepthOrder::plane_of(WholeId w) const {
+  std::array<VertexId, 3> plane = plane_corners(mesh_, first_facet(w));
+  if (is_turned(w)) std::swap(plane[1], plane[2]);
+  return plane;
+}
+
+// +1 where the eye sees a, b, c counter-clockwise.
+Sign DepthOrder::seen_orientation(VertexId a, VertexId b, VertexId c) {
+  const auto welded = [this](VertexId v) { return mesh_.weld[v.index()]; };
+  if (welded(a) == welded(c) || welded(b) == welded(c)) return 0;
+  return orientation(a, b, c, eye_);
+}
+
+// orient3d in the scene's arithmetic.
+Sign DepthOrder::orientation(VertexId a, VertexId b, VertexId c, const HomogeneousPoint& d) {
+  const Point3& pa = mesh_.position(a);
+  const Point3& pb = mesh_.position(b);
+  const Point3& pc = mesh_.position(c);
+  if (arithmetic_ == Arithmetic::exact) return orient3d(pa, pb, pc, d, &counts_);
+  return unfiltered::orient3d(arithmetic_, pa, pb, pc, d);
+}
+
+}  // namespace sightline::inline sweep

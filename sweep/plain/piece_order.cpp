@@ -1,0 +1,79 @@
+#include "sweep/plain/piece_order.h"
+
+#include <algorithm>
+
+#include "geometry/mesh/facet_plane.h"
+
+namespace sightline::inline sweep {
+namespace {
+
+// The side on which all of a polygon lies; 0 where it is on both, or in the plane.
+Sign common_side(const CutPolygon& polygon, const ExactPlane& plane) {
+  Sign side = 0;
+  for (const CutCorner& corner : polygon) {
+    const Sign of_corner = plane.side(corner.position);
+    if (of_corner == -side && of_corner != 0) return 0;
+    if (of_corner != 0) side = of_corner;
+  }
+  return side;
+}
+
+}  // namespace
+
+PieceOrder::PieceOrder(const Mesh& mesh, const ProjectedScene& scene)
+    : mesh_(mesh), eye_(scene.camera.eye), facing_(scene.facing), crosses_(mesh.cuts.wholes.size(), 0) {
+  for (const auto& [a, b] : mesh.cuts.crossing) crosses_[a.index()] = crosses_[b.index()] = 1;
+}
+
+bool PieceOrder::applies_to(WholeId a, WholeId b) const {
+  if (crosses_[a.index()] == 0 || crosses_[b.index()] == 0) return false;
+  return std::ranges::binary_search(mesh_.cuts.crossing, std::array{std::min(a, b), std::max(a, b)});
+}
+
+bool PieceOrder::lower_is_nearer(FacetId f, FacetId g) {
+  const auto [place, is_new] = known_.try_emplace({f, g}, true);
+  if (is_new) place->second = order(f, g) >= 0;
+  return place->second;
+}
+
+// +1 where f is nearer.
+Sign PieceOrder::order(FacetId f, FacetId g) {
+  const CutPolygon f_polygon = whole_polygon(mesh_, f);
+  const ExactPlane& g_plane = plane_towards_eye(mesh_.cuts.whole_of[g.index()]);
+  const Sign side_of_f = common_side(f_polygon, g_plane);
+  if (side_of_f != 0) return side_of_f;
+  const Sign side_of_g = common_side(whole_polygon(mesh_, g), plane_towards_eye(mesh_.cuts.whole_of[f.index()]));
+  if (side_of_g != 0) return -side_of_g;
+  return common_side(seen_within(f_polygon, g), g_plane);
+}
+
+// In front where the eye is.
+const ExactPlane& PieceOrder::plane_towards_eye(WholeId whole) {
+  const auto [place, is_new] = planes_.try_emplace(whole);
+  if (is_new) {
+    const FacetId facet = mesh_.cuts.first_facet[whole.index()];
+    const auto [a, b, c] = plane_corners(mesh_, facet);
+    const ExactPlane plane =
+        plane_through(exact_position(mesh_, a), exact_position(mesh_, b), exact_position(mesh_, c));
+    place->second = facing_[facet.index()] == Facing::back ? plane.turned() : plane;
+  }
+  return place->second;
+}
+
+// What of the polygon the eye sees within the frame, whichever of the two is nearer.
+CutPolygon PieceOrder::seen_within(CutPolygon polygon, FacetId frame) const {
+  const CutPolygon corners = whole_polygon(mesh_, frame);
+  const bool turned = facing_[frame.index()] == Facing::back;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const ExactPlane plane = plane_through_eye(corners[i].position, corners[(i + 1) % corners.size()].position);
+    polygon = part_in_front(polygon, turned ? plane.turned() : plane);
+  }
+  return polygon;
+}
+
+// The eye sees p, q and what is in front turn counter-clockwise.
+ExactPlane PieceOrder::plane_through_eye(const ExactPosition& p, const ExactPosition& q) const {
+  return eye_.w == 0 ? plane_towards(p, q, eye_.xyz).turned() : plane_through(p, q, exact_position(eye_.xyz)).turned();
+}
+
+}  // namespace sightline::inline sweep

@@ -1,0 +1,53 @@
+// What there is to see of a sweep right after a sweep point: for teaching and tracing.
+//
+// In:  a sweep calls SweepObserver::look with its state. Out: where the sweep is, what comes next, the active edge list
+//      with its node lists, and the visible segments so far.
+// Holds: during the call only. A segment that is open lacks its end (its start where it runs upwards).
+// Complexity: upcoming copies the crossings that wait; the rest is O(1). Nothing is computed that is not asked for.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <span>
+#include <vector>
+
+#include "sweep/plain/active_edge_list.h"
+#include "sweep/plain/event_queue.h"
+#include "sweep/segments/visible_segments.h"
+
+namespace sightline::inline sweep {
+
+struct SweepPlace {
+  PointId vertex;  // invalid: only crossings here
+  double x = 0;    // in the window's units, rounded
+  double y = 0;
+  std::vector<std::array<EdgeId, 2>> crossings;  // pairs of edges; the first is left of the second above the point
+};
+
+class SweepState {
+ public:
+  virtual ~SweepState() = default;
+
+  [[nodiscard]] virtual SweepPlace here() const = 0;
+  // The next sweep points, as far as they are known: at most this many.
+  [[nodiscard]] virtual std::vector<SweepPlace> upcoming(std::size_t at_most) const = 0;
+  [[nodiscard]] virtual const ActiveEdgeList& active() const = 0;
+  // The bundles that leave the point downwards, left to right, and the bundle left of them (invalid: none).
+  [[nodiscard]] virtual std::span<const BundleId> below() const = 0;
+  [[nodiscard]] virtual BundleId left_neighbour() const = 0;
+  [[nodiscard]] virtual const VisibleSegments& so_far() const = 0;
+};
+
+template <class Decisions>
+[[nodiscard]] SweepPlace place_in_window(const ProjectedScene& scene, const SweepPoint& point) {
+  const double scale = std::ldexp(1.0, -scene.grid_bits);
+  const auto scaled = [&](const auto& p) {
+    return SweepPlace{point.vertex, static_cast<double>(p.x) * scale, static_cast<double>(p.y) * scale, {}};
+  };
+  SweepPlace place = point.vertex.valid() ? scaled(scene.point(point.vertex))
+                                          : scaled(place_of<Decisions>(scene, point.crossings.front()));
+  for (const auto& crossing : point.crossings) place.crossings.push_back({crossing.a, crossing.b});
+  return place;
+}
+
+}  // namespace sightline::inline sweep

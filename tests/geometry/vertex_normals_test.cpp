@@ -1,0 +1,84 @@
+// Normals: as files give them, and as means.
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "formats/reading/obj_reader.h"
+#include "geometry/mesh/vertex_normals.h"
+
+namespace sightline::tests::vertex_normals_test {
+namespace {
+
+std::vector<Vector3> read_normals(const std::string& text) {
+  return read_obj(text, "test.obj", {}, Normals::read).corner_normals;
+}
+
+const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+
+bool is_near(const Vector3& a, const Vector3& b) { return norm(a - b) < 1e-15; }
+
+// The corner of a box at the origin, its three faces of different sizes.
+Mesh box_corner(double scale) {
+  const std::vector<Point3> places{{0, 0, 0}, {0, 1, 0}, {1, 1, 0}, {1, 0, 0}, {0, 0, 2}, {1, 0, 2}, {0, 1, 2}};
+  std::vector<Point3> vertices;
+  for (const Point3& p : places) vertices.push_back(scale * p);
+  PolygonList faces;
+  const auto add = [&](std::initializer_list<std::size_t> corners) {
+    std::vector<VertexId> face;
+    for (const std::size_t corner : corners) face.emplace_back(corner);
+    faces.push_back(face);
+  };
+  add({0, 1, 2, 3});  // area 1, facing down
+  add({0, 3, 5, 4});  // area 2, facing the front
+  add({0, 4, 6, 1});  // area 2, facing the left
+  return build_mesh(std::move(vertices), std::move(faces));
+}
+
+}  // namespace
+
+TEST_CASE("normals of corners, by index, from the end, and where there are none") {
+  CHECK(read_normals(triangle + "vn 0 0 1\nvn 0 3 4\nf 1//1 2//2 3//-1\n") ==
+        std::vector<Vector3>{{0, 0, 1}, {0, 3, 4}, {0, 3, 4}});
+  CHECK(read_normals(triangle + "vn 0 0 1\nvt 0 0\nf 1/1/1 2/1 3\n") ==
+        std::vector<Vector3>{{0, 0, 1}, {0, 0, 0}, {0, 0, 0}});
+  // One that names nothing is none, with a warning.
+  CHECK(read_normals(triangle + "vn 0 0 1\nf 1//2 2//1 3//-2\n") ==
+        std::vector<Vector3>{{0, 0, 0}, {0, 0, 1}, {0, 0, 0}});
+}
+
+TEST_CASE("normals are not read, and not looked at, where nobody asks") {
+  const std::string text = triangle + "vn one\nvn nan 0 0\nf 1//1 2//2 3//1\n";
+  CHECK(read_obj(text, "test.obj").corner_normals.empty());
+  CHECK_THROWS_WITH_AS((void)read_normals(text), doctest::Contains("test.obj:4: "), InputError);
+  CHECK_THROWS_WITH_AS((void)read_normals(triangle + "vn 1 2\nf 1 2 3\n"),
+                       doctest::Contains("a normal needs three coordinates"), InputError);
+}
+
+TEST_CASE("without given normals a corner has the mean of the faces around it, weighted by area, at any scale") {
+  for (const double scale : {1.0, 0x1p-1060, 0x1p1000}) {
+    CAPTURE(scale);
+    const std::vector<Vector3> normals = vertex_normals(box_corner(scale), {});
+    REQUIRE(normals.size() == 12);
+    const Vector3 corner{-2.0 / 3, -2.0 / 3, -1.0 / 3};
+    CHECK(is_near(normals[0], corner));
+    CHECK(is_near(normals[4], corner));
+    CHECK(is_near(normals[2], {0, 0, -1}));
+    CHECK(is_near(normals[3], (1 / std::sqrt(5.0)) * Vector3{0, -2, -1}));
+  }
+}
+
+TEST_CASE("vertices at one place share their mean, and given normals stand") {
+  // Two triangles of a roof, each with its own vertices.
+  const ObjFile roof =
+      read_obj("v 0 0 0\nv 0 1 0\nv -1 0 -1\nv 0 0 0\nv 1 0 -1\nv 0 1 0\nf 1 2 3\nf 4 5 6\n", "roof.obj");
+  const std::vector<Vector3> means = vertex_normals(roof.mesh, {});
+  CHECK(is_near(means[0], {0, 0, 1}));
+  CHECK(is_near(means[3], {0, 0, 1}));
+  std::vector<Vector3> given(6);
+  given[0] = {0, 5, 0};
+  const std::vector<Vector3> mixed = vertex_normals(roof.mesh, given);
+  CHECK(mixed[0] == Vector3{0, 1, 0});
+  CHECK(is_near(mixed[3], {0, 0, 1}));
+}
+
+}  // namespace sightline::tests::vertex_normals_test

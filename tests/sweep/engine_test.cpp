@@ -1,0 +1,200 @@
+// The fast engine gives what the sweep of everything gives, to the last bit, however fine its cells and however many its
+// bands are.
+#include <doctest/doctest.h>
+
+#include <array>
+#include <cmath>
+
+#include "geometry/numbers/parallel.h"
+#include "oracle/judging/engine_comparison.h"
+#include "oracle/judging/judge.h"
+#include "oracle/scenes/crossing_scenes.h"
+#include "oracle/scenes/random_scenes.h"
+#include "tests/tools/polygon_mesh.h"
+#include "tests/tools/random_surfaces.h"
+
+namespace sightline::tests::engine_test {
+using namespace lattice;
+
+namespace {
+
+FastOptions options_of(std::uint64_t seed) {
+  constexpr std::array<std::size_t, 4> bands{1, 2, 7, 64};
+  return {static_cast<int>(seed % 8), bands[seed / 8 % bands.size()]};
+}
+
+void report(const RandomScene& scene, const FastOptions& options) {
+  const auto differs = [&options](const RandomScene& s) {
+    const Mesh mesh = cut(mesh_of(s));
+    EngineTally tally;
+    return !engine_differences(mesh, project(mesh, s.camera, s.sides), {options}, tally).empty();
+  };
+  const RandomScene small = reduced(scene, differs);
+  const Mesh mesh = cut(mesh_of(small));
+  EngineTally tally;
+  FAIL_CHECK(engine_differences(mesh, project(mesh, small.camera, small.sides), {options}, tally), to_text(small));
+}
+
+void check_random_scenes(RandomScene (*scene_of)(std::uint64_t), std::uint64_t scenes, EngineTally& tally) {
+  int failures = 0;
+  for (std::uint64_t seed = 1; seed <= scenes && failures < 3; ++seed) {
+    const RandomScene scene = scene_of(seed);
+    const Mesh mesh = cut(mesh_of(scene));
+    const FastOptions options = options_of(seed);
+    if (engine_differences(mesh, project(mesh, scene.camera, scene.sides), {options}, tally).empty()) continue;
+    ++failures;
+    report(scene, options);
+  }
+}
+
+// 20 units of it, around a place.
+ProjectedScene seen_from_above(const Mesh& mesh, double x, double y) {
+  ViewPoint view;
+  view.eye = {x, y, 9};
+  view.target = {x, y, 0};
+  return project(mesh, orthographic_camera("above", view, 20), Sides::both);
+}
+
+}  // namespace
+
+TEST_CASE("engines: random scenes") {
+  EngineTally tally;
+  check_random_scenes(random_scene, scene_count(10000), tally);
+  CHECK(tally.points > 0);
+}
+
+TEST_CASE("engines: random scenes whose faces pass through each other") {
+  EngineTally tally;
+  check_random_scenes(crossing_scene, scene_count(3000), tally);
+  CHECK(tally.points > 0);
+}
+
+// Four fifths of the points are swept at most: facets that are seen whole, and facets behind covers, are there.
+TEST_CASE("engines: random surfaces") {
+  EngineTally tally;
+  for (std::uint64_t seed = 1; seed <= scene_count(1000); ++seed) {
+    CAPTURE(seed);
+    const tests::RandomSurfaces surfaces = tests::random_surfaces(seed);
+    const Mesh mesh = cut(surfaces.mesh);
+    const ProjectedScene scene = project(mesh, surfaces.camera, Sides::both);
+    CHECK(engine_differences(mesh, scene, {options_of(seed)}, tally) == "");
+  }
+  MESSAGE(tally.swept << " of " << tally.points << " sweep points swept");
+  CHECK(5 * tally.swept < 4 * tally.points);
+}
+
+// A band across two walls is cut along common lines; one of its pieces is hidden, and what is seen of another ends on its edge.
+TEST_CASE("engines: an edge is split for a hidden piece of a face, too") {
+  const Mesh mesh = cut(tests::mesh_of({{{0, 5, -1}, {-2, 5, -3}, {-3, 3, 6}},
+                                        {{4, 3, 16}, {20, 3, -4}, {-6, 6, -14}, {-22, 6, 6}},
+                                        {{4, 3, 18}, {-18, 3, 10}, {-6, 6, -16}, {16, 6, -8}},
+                                        {{4, 6, 18}, {-18, 6, 10}, {-6, 3, -16}, {16, 3, -8}},
+                                        {{-7, 3, 2}, {-2, 3, -3}, {-3, 6, 6}}}));
+  ViewPoint view;
+  view.eye = {-2, -10, 1};
+  view.target = {-2, 3, 1};
+  view.up = {0, 0, -1};
+  EngineTally tally;
+  for (const double height : {16, 4096}) {
+    const ProjectedScene scene = project(mesh, orthographic_camera("along y", view, height), Sides::both);
+    CHECK(engine_differences(mesh, scene, {{0, 1}, {1, 7}, {9, 1}, {10, 1}, {11, 1}}, tally) == "");
+  }
+}
+
+// A hook whose long end is hidden: first by a face that the end that is seen comes near, then by one that it does not.
+TEST_CASE("engines: a face whose hidden end is covered far from the end that is seen") {
+  const Mesh mesh = tests::mesh_of({{{-6, -3, 0},
+                                     {0.5, -3.2, 0},
+                                     {8, -3, 0},
+                                     {8, -2, 0},
+                                     {0.5, -2.2, 0},
+                                     {-5, -2, 0},
+                                     {-5, 6, 0},
+                                     {4, 6, 0},
+                                     {4, 7, 0},
+                                     {-6, 7, 0}},
+                                    {{-9, -6, 2}, {2, -6, 2}, {2, 0, 2}, {-9, 0, 2}},
+                                    {{-1, -6, 3}, {9.5, -6, 3}, {9.5, 0, 3}, {-1, 0, 3}}});
+  const ProjectedScene scene = seen_from_above(mesh, 0, 0);
+  EngineTally tally;
+  CHECK(engine_differences(mesh, scene, {{3, 1}, {5, 7}, {6, 64}}, tally) == "");
+}
+
+TEST_CASE("engines: in the middle of a sheet of squares, three of them are one face") {
+  std::vector<tests::Corners> faces{
+      {{7, 7, 0}, {8, 7, 0}, {9, 7, 0}, {9, 8, 0}, {8, 8, 0}, {8, 9, 0}, {7, 9, 0}, {7, 8, 0}}};
+  for (int i = 0; i < 16 * 16; ++i) {
+    const double x = i % 16;
+    const double y = i / 16;
+    if ((y == 7 && (x == 7 || x == 8)) || (y == 8 && x == 7)) continue;
+    faces.push_back({{x, y, 0}, {x + 1, y, 0}, {x + 1, y + 1, 0}, {x, y + 1, 0}});
+  }
+  const Mesh mesh = tests::mesh_of(faces);
+  REQUIRE(mesh.facet_count() > mesh.face_count());
+  const ProjectedScene scene = seen_from_above(mesh, 8, 8);
+  EngineTally tally;
+  CHECK(engine_differences(mesh, scene, {{4, 1}, {5, 1}, {6, 7}}, tally) == "");
+  CHECK(tally.swept < tally.points);
+}
+
+// Where facets pass through each other, the sweep may call the wrong one topmost; both engines call the same.
+TEST_CASE("engines: faces that pass through each other, not cut along their common lines") {
+  EngineTally tally;
+  for (std::uint64_t seed = 1; seed <= scene_count(1000); ++seed) {
+    CAPTURE(seed);
+    const RandomScene crossing = crossing_scene(seed);
+    const Mesh few = mesh_of(crossing);
+    CHECK(engine_differences(few, project(few, crossing.camera, crossing.sides), {options_of(seed)}, tally) == "");
+    const tests::RandomSurfaces surfaces = tests::random_surfaces(seed);
+    const ProjectedScene scene = project(surfaces.mesh, surfaces.camera, Sides::both);
+    CHECK(engine_differences(surfaces.mesh, scene, {options_of(seed)}, tally) == "");
+  }
+  CHECK(4 * tally.swept < 3 * tally.points);
+}
+
+// A sheet of squares in waves, over another one. Where it hides itself and at its border facets are open, else plain.
+TEST_CASE("engines: more points than a thread takes in a row") {
+  constexpr int squares = 100;
+  std::vector<tests::Corners> faces;
+  for (int i = 0; i < 2 * squares * squares; ++i) {
+    const int x = i % squares;
+    const int y = i / squares % squares;
+    const auto corner = [&](int u, int v) {
+      return Point3{static_cast<double>(u), static_cast<double>(v),
+                    3 * std::sin(0.2 * u + 0.1 * v) - (i < squares * squares ? 0.0 : 9.0)};
+    };
+    faces.push_back({corner(x, y), corner(x + 1, y), corner(x + 1, y + 1)});
+    faces.push_back({corner(x, y), corner(x + 1, y + 1), corner(x, y + 1)});
+  }
+  const Mesh mesh = tests::mesh_of(faces);
+  ViewPoint view;
+  view.eye = {40, -40, 27};
+  view.target = {50, 50, 0};
+  view.up = {0, 0, 1};
+  const ProjectedScene scene = project(mesh, perspective_camera("along the sheet", view, 60), Sides::both);
+  REQUIRE(scene.points.size() > items_per_range);
+  EngineTally tally;
+  CHECK(engine_differences(mesh, scene, {{7, 1}, {7, 7}}, tally) == "");
+  CHECK(2 * tally.swept < tally.points);
+}
+
+TEST_CASE("engines: surfaces that overlap only because their image is rounded") {
+  EngineTally tally;
+  std::uint64_t without_order = 0;
+  const std::uint64_t scenes = scene_count(2000);
+  for (std::uint64_t seed = 1; seed <= scenes; ++seed) {
+    CAPTURE(seed);
+    const tests::RandomSurfaces surfaces = tests::crowded_surfaces(seed);
+    const Mesh mesh = cut(surfaces.mesh);
+    const Precision precision{Arithmetic::exact, 8 + static_cast<int>(seed % 5)};
+    const ProjectedScene scene = project(mesh, surfaces.camera, Sides::both, precision);
+    CHECK(engine_differences(mesh, scene, {options_of(seed)}, tally) == "");
+    without_order += plain_sweep(mesh, scene).statistics.depth_is_transitive ? 0 : 1;
+  }
+  MESSAGE(tally.swept << " of " << tally.points << " sweep points swept; no order of depth somewhere in "
+                      << without_order << " of " << scenes << " scenes");
+  CHECK(16 * tally.swept < 15 * tally.points);
+  CHECK(8 * without_order > scenes);
+}
+
+}  // namespace sightline::tests::engine_test

@@ -1,0 +1,143 @@
+// Every mesh of the optional folder of models, from three cameras: the stages' checkers, the laws, and ray casting.
+#include <doctest/doctest.h>
+
+#include "formats/reading/obj_reader.h"
+#include "geometry/cutting/interpenetration.h"
+#include "oracle/judging/labelled_laws.h"
+#include "oracle/judging/ray_caster.h"
+#include "oracle/judging/scene_changes.h"
+#include "tests/tools/model_shots.h"
+
+namespace sightline::tests::models_test {
+using namespace lattice;
+
+namespace {
+
+struct RayTally {
+  std::size_t on_edge = 0;
+  std::size_t seen = 0;
+  Complaints complaints;
+};
+
+FacetId before_cut(const Mesh& mesh, FacetId f) {
+  return mesh.is_cut() ? FacetId(mesh.cuts.whole_of[f.index()].index()) : f;
+}
+
+// What the polygons show at a ray, as a face; nothing where they show nothing.
+std::vector<FaceId> shown(const View& view, const std::vector<std::size_t>& polygons) {
+  std::vector<FaceId> faces;
+  for (const std::size_t p : polygons) faces.push_back(view.polygons.polygons[p].face);
+  return faces;
+}
+
+// whole: the mesh before it was cut to what was viewed.
+RayTally compare_rays(const Mesh& whole, const Mesh& mesh, const View& view) {
+  const auto rays = fixed_rays(view.scene.grid_bits, 1000);
+  auto hits = cast(view.scene, rays);
+  const auto polygons = polygons_around(view, rays);
+  RayTally tally;
+  for (std::size_t r = 0; r < rays.size(); ++r) {
+    auto& facets = hits[r].facets;
+    tally.on_edge += hits[r].on_edge ? 1U : 0U;
+    if (hits[r].on_edge) continue;
+    for (FacetId& f : facets) f = before_cut(mesh, f);
+    if (facets.size() > 1) sort_by_depth(facets, whole, view.scene, rays[r]);
+    std::vector<FaceId> expected;
+    if (!facets.empty()) expected.push_back(whole.facet_face[facets.front().index()]);
+    tally.seen += expected.size();
+    if (shown(view, polygons[r]) == expected) continue;
+    tally.complaints.push_back("ray " + std::to_string(r) + " at (" + std::to_string(rays[r].x) + ", " +
+                               std::to_string(rays[r].y) + ") sees face " +
+                               (expected.empty() ? "none" : std::to_string(expected[0].value)) + ", polygons show " +
+                               (polygons[r].empty() ? "none" : std::to_string(shown(view, polygons[r])[0].value)) +
+                               " of " + std::to_string(polygons[r].size()));
+  }
+  return tally;
+}
+
+// The first few, in one text.
+std::string some(Complaints complaints) {
+  if (complaints.size() > 10) complaints.resize(10);
+  return joined(complaints);
+}
+
+void check_stages_and_laws(const Mesh& whole, const Mesh& mesh, const View& view, bool closed) {
+  CHECK(some(complaints_of_stages(mesh, view)) == "");
+  CHECK(some(input_vertices_kept(whole, view.labelled)) == "");
+  CHECK(some(areas_kept(whole, view.labelled)) == "");
+  if (closed) CHECK(is_closed(view.labelled));
+}
+
+}  // namespace
+
+TEST_CASE("models: stages, laws and ray casting from three cameras") {
+  if (models().empty()) MESSAGE("no models in " << models_folder().string());
+  for (const std::filesystem::path& file : models()) {
+    const Mesh whole = read_obj(file).mesh;
+    const Mesh mesh = cut(whole);
+    const bool closed = is_closed(whole);
+    for (const Shot& shot : shots(whole)) {
+      INFO(file.filename().string(), " ", shot.camera.name);
+      View view;
+      REQUIRE_NOTHROW(view = analyze(mesh, shot.camera, shot.sides));
+      check_stages_and_laws(whole, mesh, view, closed);
+      const RayTally tally = compare_rays(whole, mesh, view);
+      CHECK(some(tally.complaints) == "");
+      CHECK(tally.on_edge <= 10);
+      CHECK(tally.seen >= 50);
+      MESSAGE(file.filename().string() << " " << shot.camera.name << ": " << tally.seen << " rays see a face, "
+                                       << tally.on_edge << " on an edge");
+    }
+  }
+}
+
+// The outcome with the faces in another order, put back into the old one.
+Outcome shuffled_outcome(const Mesh& mesh, const Shot& shot, Dice& dice) {
+  const Shuffled shuffled = with_faces_shuffled(mesh, dice);
+  const Outcome after = outcome(shuffled.mesh, analyze(shuffled.mesh, shot.camera, shot.sides));
+  Outcome put_back = after;
+  for (std::size_t i = 0; i < shuffled.order.size(); ++i) put_back.areas[shuffled.order[i]] = after.areas[i];
+  return put_back;
+}
+
+TEST_CASE("models: two runs, order and handedness change nothing") {
+  constexpr std::uint64_t seed = 7;
+  Dice dice(seed);
+  for (const std::filesystem::path& file : models()) {
+    const Mesh whole = read_obj(file).mesh;
+    const Mesh mesh = cut(whole);
+    const Shot shot = shots(whole).front();
+    INFO(file.filename().string(), " seed ", seed);
+    const View view = analyze(mesh, shot.camera, shot.sides);
+    CHECK(identical(view, analyze(mesh, shot.camera, shot.sides)));
+    // Of faces that overlap in one plane the lower index is in front. Where a facet is cut beyond a common line depends on
+    // the coordinates, so mirroring changes roundings.
+    const MeshContacts contacts = find_contacts(whole);
+    if (!contacts.crossing.empty()) continue;
+    const Outcome before = outcome(mesh, view);
+    if (contacts.touching.empty()) CHECK(some(differences(before, shuffled_outcome(mesh, shot, dice))) == "");
+    const Mesh turned = with_corners_rotated(mesh, dice);
+    CHECK(some(differences(before, outcome(turned, analyze(turned, shot.camera, shot.sides)))) == "");
+    const Mesh mirror = mirrored(mesh);
+    CHECK(some(differences(before, outcome(mirror, analyze(mirror, mirrored(shot.camera), shot.sides)))) == "");
+  }
+}
+
+TEST_CASE("models: where back-facing faces may be culled, culling changes nothing") {
+  int culled = 0;
+  for (const std::filesystem::path& file : models()) {
+    const Mesh mesh = read_obj(file).mesh;
+    const MeshContacts contacts = find_contacts(mesh);
+    for (const Shot& shot : shots(mesh)) {
+      if (decide_sides(mesh, contacts, shot.camera, SidesPolicy::automatic).sides == Sides::both) continue;
+      ++culled;
+      INFO(file.filename().string(), " ", shot.camera.name);
+      const View front = analyze(mesh, shot.camera, Sides::front);
+      const View both = analyze(mesh, shot.camera, Sides::both);
+      CHECK(visible_areas(mesh, front) == visible_areas(mesh, both));
+    }
+  }
+  CHECK((culled > 0 || models().empty()));
+}
+
+}  // namespace sightline::tests::models_test
