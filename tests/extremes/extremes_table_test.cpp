@@ -37,7 +37,7 @@ Names names_in(const std::string& text, const char* pattern) {
 
 std::string sources_of_tests() {
   std::string text;
-  for (const auto& entry : fs::directory_iterator(SIGHTLINE_FIXTURES_DIR "/../tests")) {
+  for (const auto& entry : fs::directory_iterator(SIGHTLINE_FIXTURES_DIR "/../tests/extremes")) {
     if (entry.path().filename().string().rfind("extremes_", 0) == 0) text += sightline::tests::read_text(entry.path());
   }
   return text;
