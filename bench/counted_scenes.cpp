@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "bench/scenes/generated_scenes.h"
-#include "sightline/analyze.h"
+#include "sightline/analyzer.h"
 
 namespace sightline::bench {
 namespace {
@@ -31,7 +31,7 @@ std::optional<Case> case_named(std::string_view name) {
 // Valgrind counts one thread.
 [[gnu::noinline]] View counted_analysis(const Case& c) {
   const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
-  return analyze(c.mesh, c.camera, c.sides);
+  return Analyzer(uncrossed(c.mesh), {.sides = policy_of(c.sides)}).view(c.camera);
 }
 
 }  // namespace

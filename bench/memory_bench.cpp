@@ -19,7 +19,7 @@
 #include "formats/writing/window_points.h"
 #include "geometry/cutting/interpenetration.h"
 #include "geometry/mesh/box_hierarchy.h"
-#include "sightline/analyze.h"
+#include "sightline/analyzer.h"
 
 namespace sightline::bench {
 using namespace cli;
@@ -32,6 +32,17 @@ std::size_t peak_of(const std::function<void()>& work) {
   return peak_bytes();
 }
 
+// The peak of each stage, with all that was there before.
+class StagePeaks : public AnalysisHook {
+ public:
+  void begins(Stage /*stage*/) override { reset_peak(); }
+  void ended(Stage stage, double /*seconds*/) override { peaks_[static_cast<std::size_t>(stage)] = peak_bytes(); }
+  [[nodiscard]] std::size_t of(Stage stage) const { return peaks_[static_cast<std::size_t>(stage)]; }
+
+ private:
+  std::array<std::size_t, 8> peaks_{};
+};
+
 // A camera from a corner of the room, at the middle of the bounding box.
 Camera camera_for(const Mesh& mesh) {
   Box box{mesh.vertices.front(), mesh.vertices.front()};
@@ -41,14 +52,14 @@ Camera camera_for(const Mesh& mesh) {
   return perspective_camera("view", {middle + size * Vector3{0.6, 0.4, 0.8}, middle, {0, 1, 0}, 1, {}, {}}, 60);
 }
 
-std::size_t write_all(const Mesh& mesh, const View& view) {
+std::size_t write_all(const View& view) {
   const std::vector<Point2> places = window_points(view);
   std::size_t length = 0;
   TextBuffer out([&](std::string_view piece) { length += piece.size(); });
   write_labelled_ply(view.labelled, {}, out);
   write_labelled_obj(view.labelled, {}, out);
-  write_view_svg(mesh, view, places, {}, out);
-  write_segments_table(mesh, view, places, out);
+  write_view_svg(view, places, {}, out);
+  write_segments_table(view, places, out);
   out.flush();
   return length;
 }
@@ -56,21 +67,19 @@ std::size_t write_all(const Mesh& mesh, const View& view) {
 void measure(const std::string& name, const std::function<Mesh()>& make) {
   Mesh mesh;
   MeshContacts contacts;
-  View view;
   const std::size_t build = peak_of([&] { mesh = make(); });
   const std::size_t touch = peak_of([&] { contacts = find_contacts(mesh); });
   const Camera camera = camera_for(mesh);
-  const std::size_t project_peak = peak_of([&] { view.scene = project(mesh, camera, Sides::both); });
-  const std::size_t sweep_peak = peak_of([&] { view.segments = find_visible_segments(mesh, view.scene); });
-  const std::size_t polygons = peak_of([&] { view.polygons = reconstruct_polygons(mesh, view.scene, view.segments); });
-  const std::size_t label =
-      peak_of([&] { view.labelled = label_mesh(mesh, view.scene, view.segments, view.polygons); });
-  const std::size_t write = peak_of([&] { (void)write_all(mesh, view); });
+  StagePeaks peaks;
+  const auto surface = std::make_shared<const CutMesh>(uncrossed(std::move(mesh)));
+  const View view = Analyzer(surface, {.sides = SidesPolicy::both, .hook = &peaks}).view(camera);
+  const std::size_t write = peak_of([&] { (void)write_all(view); });
   std::printf("%s,%zu,%zu,%zu,%zu,%zu,%zu,%zu,%zu,%zu,%zu,%zu,%zu,%zu,%zu,%zu,%zu,%zu,%zu\n", name.c_str(),
-              mesh.vertices.size(), mesh.faces.corners.size(), mesh.facet_count(), mesh.edges.size(),
+              surface->vertices.size(), surface->faces.corners.size(), surface->facet_count(), surface->edges.size(),
               contacts.touching.size() + contacts.crossing.size(), view.scene.points.size(), view.scene.edge_count(),
               view.segments.statistics.crossings, view.segments.crossings.size(), view.segments.segments.size(),
-              view.labelled.triangles.size(), build, touch, project_peak, sweep_peak, polygons, label, write);
+              view.labelled.triangles.size(), build, touch, peaks.of(Stage::project), peaks.of(Stage::sweep),
+              peaks.of(Stage::reconstruct), peaks.of(Stage::label), write);
 }
 
 }  // namespace

@@ -5,46 +5,49 @@
 #include <benchmark/benchmark.h>
 #include <tbb/global_control.h>
 
-#include <chrono>
-
 #include "bench/scenes/generated_scenes.h"
-#include "sightline/analyze.h"
+#include "sightline/analyzer.h"
 
 namespace sightline::bench {
 namespace {
 
 struct Case {
-  Mesh mesh;
+  std::shared_ptr<const CutMesh> mesh;
   Camera camera;
   Sides sides;
 };
 
-Case sphere_case(std::size_t triangles, Sides sides) { return {folded_sphere(triangles), overview(), sides}; }
-Case terrain_case(std::size_t triangles) { return {terrain(triangles), grazing_view(), Sides::both}; }
-
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+Case case_of(Mesh mesh, const Camera& camera, Sides sides) {
+  return {std::make_shared<const CutMesh>(uncrossed(std::move(mesh))), camera, sides};
 }
+
+Case sphere_case(std::size_t triangles, Sides sides) { return case_of(folded_sphere(triangles), overview(), sides); }
+Case terrain_case(std::size_t triangles) { return case_of(terrain(triangles), grazing_view(), Sides::both); }
+
+// Adds up how long the sweeps take.
+class SweepTime : public AnalysisHook {
+ public:
+  void ended(Stage stage, double seconds) override { seconds_ += stage == Stage::sweep ? seconds : 0; }
+  [[nodiscard]] double seconds() const { return seconds_; }
+
+ private:
+  double seconds_ = 0;
+};
 
 void run_view(benchmark::State& state, const Case& c) {
   const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
-  double sweep_seconds = 0;
+  SweepTime time;
+  const Analyzer analyzer(c.mesh, {.sides = policy_of(c.sides), .hook = &time});
   std::uint64_t sweep_points = 0;
   for (auto _ : state) {
-    View view;
-    view.scene = project(c.mesh, c.camera, c.sides);
-    const auto start = std::chrono::steady_clock::now();
-    view.segments = find_visible_segments(c.mesh, view.scene);
-    sweep_seconds += seconds_since(start);
-    view.polygons = reconstruct_polygons(c.mesh, view.scene, view.segments);
-    view.labelled = label_mesh(c.mesh, view.scene, view.segments, view.polygons);
+    const View view = analyzer.view(c.camera);
     sweep_points += view.segments.statistics.sweep_points;
     benchmark::DoNotOptimize(view.labelled.triangles.data());
   }
-  state.counters["triangles"] = static_cast<double>(c.mesh.facet_count());
+  state.counters["triangles"] = static_cast<double>(c.mesh->facet_count());
   state.counters["sweep_points"] = static_cast<double>(sweep_points) / static_cast<double>(state.iterations());
-  state.counters["sweep_points_per_s"] = static_cast<double>(sweep_points) / sweep_seconds;
-  state.counters["sweep_s"] = sweep_seconds / static_cast<double>(state.iterations());
+  state.counters["sweep_points_per_s"] = static_cast<double>(sweep_points) / time.seconds();
+  state.counters["sweep_s"] = time.seconds() / static_cast<double>(state.iterations());
 }
 
 void view_of_sphere(benchmark::State& state) {
@@ -61,12 +64,9 @@ void view_of_terrain(benchmark::State& state) {
 // obstacle in them, each of which costs a sweep.
 void reflections_of_terrain(benchmark::State& state) {
   const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
-  const Mesh mesh = terrain(static_cast<std::size_t>(state.range(0)));
-  const MirrorWorld world = make_mirror_world(mesh, {{"lamp", {{-1, 9, -1}, {1, 9, -1}, {1, 9, 1}, {-1, 9, 1}}, {}}});
-  View view;
-  view.scene = project(mesh, view_from_above(), Sides::both);
-  view.segments = find_visible_segments(mesh, view.scene);
-  view.polygons = reconstruct_polygons(mesh, view.scene, view.segments);
+  const Analyzer analyzer(uncrossed(terrain(static_cast<std::size_t>(state.range(0)))), {.sides = SidesPolicy::both});
+  const MirrorWorld world = analyzer.world({{"lamp", {{-1, 9, -1}, {1, 9, -1}, {1, 9, 1}, {-1, 9, 1}}, {}}});
+  const Visibility view = analyzer.visible(view_from_above());
   ReflectedView reflected;
   for (auto _ : state) {
     reflected = find_reflections(world, view.scene, view.segments, view.polygons);

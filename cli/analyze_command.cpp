@@ -57,27 +57,25 @@ struct Output {
 Report written_report(const Scene& scene, const MeshInput& input, const ViewAnalysis& analysis, Output& output) {
   const Stopwatch watch;
   const View& view = analysis.view;
-  const std::vector<FaceMeasures> faces = measure_faces(input.mesh, view);
+  const std::vector<FaceMeasures> faces = measure_faces(view);
   const std::vector<Point2> places = window_points(view);
-  write_view_files(output.results, input.mesh, view, names_of(scene.panels), faces, places);
-  if (output.page) output.page->add_view(input.mesh, view, places, faces);
+  write_view_files(output.results, view, names_of(scene.panels), faces, places);
+  if (output.page) output.page->add_view(view, places, faces);
   const Report report = make_report(scene, input, analysis, faces, watch.seconds());
   output.results.write(view.scene.camera.name, "report.json", report_text(report));
   return report;
 }
 
 // output: null where no files are wanted.
-Report camera_report(const Scene& scene, const MeshInput& input, const MirrorWorld& world, const Camera& camera,
-                     const AnalyzeOptions& options, Output* output, Progress& progress) {
-  const ViewAnalysis analysis =
-      analyze_view(input, world, camera, {scene.sides, options.precision, options.engine}, progress);
-  if (output == nullptr) return make_report(scene, input, analysis, measure_faces(input.mesh, analysis.view), 0);
+Report camera_report(const Scene& scene, const MeshInput& input, const ViewAnalysis& analysis, Output* output,
+                     Progress& progress) {
+  if (output == nullptr) return make_report(scene, input, analysis, measure_faces(analysis.view), 0);
   output->seen.push_back(seen_part(analysis.view.labelled));
-  progress.stage(camera.name + ": write the results");
+  progress.stage(analysis.view.scene.camera.name + ": write the results");
   return written_report(scene, input, analysis, *output);
 }
 
-Coverage published_coverage(const Scene& scene, const Mesh& mesh, const std::vector<Report>& reports, Output& output,
+Coverage published_coverage(const Scene& scene, const CutMesh& mesh, const std::vector<Report>& reports, Output& output,
                             Progress& progress) {
   progress.stage("what the cameras cover together");
   Coverage coverage = cover(mesh, output.seen, scene.panels.size());
@@ -94,21 +92,32 @@ std::string standard_output(const std::vector<Report>& reports, const std::optio
   return options.quiet ? "" : summary(reports, coverage.value(), *options.output, options.report_page);
 }
 
+AnalysisOptions analysis_options(const Scene& scene, const AnalyzeOptions& options, std::vector<Vector3> corner_normals,
+                                 AnalysisWatch& watch) {
+  return {scene.sides,      options.precision,         options.engine, options.threads,
+          scene.reflection, std::move(corner_normals), &watch};
+}
+
 std::string analyzed(const AnalyzeOptions& options) {
   Progress progress(!options.quiet && Progress::watched());
   const Scene scene = scene_of(options);
   const bool needs_normals = !scene.panels.empty() && scene.reflection.needs_vertex_normals();
-  const MeshInput input =
+  MeshInput input =
       read_mesh(scene.mesh_file, needs_normals ? Normals::read : Normals::passed_over, options.max_memory, progress);
   std::optional<Output> output;
   if (options.output) output.emplace(*options.output, options.report_page);
-  const MirrorWorld world = make_mirror_world(input.mesh, scene.panels, scene.reflection, input.corner_normals);
+  AnalysisWatch watch(options.max_memory, progress);
+  const Analyzer analyzer(std::move(input.mesh),
+                          analysis_options(scene, options, std::move(input.corner_normals), watch));
+  const MirrorWorld world = analyzer.world(scene.panels);
   std::vector<Report> reports;
   for (const Camera& camera : scene.cameras) {
-    reports.push_back(camera_report(scene, input, world, camera, options, output ? &*output : nullptr, progress));
+    watch.look_at(camera.name);
+    const ViewAnalysis analysis{analyzer.options(), analyzer.view(camera, world), watch.seconds()};
+    reports.push_back(camera_report(scene, input, analysis, output ? &*output : nullptr, progress));
   }
   std::optional<Coverage> coverage;
-  if (output) coverage = published_coverage(scene, input.mesh, reports, *output, progress);
+  if (output) coverage = published_coverage(scene, analyzer.mesh(), reports, *output, progress);
   return standard_output(reports, coverage, options);
 }
 

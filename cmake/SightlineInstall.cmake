@@ -6,7 +6,7 @@ set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/sightline")
 
 install(DIRECTORY geometry sweep reconstruct reflect coverage formats sightline DESTINATION "${header_dir}" FILES_MATCHING PATTERN "*.h")
 install(TARGETS sightline_geometry sightline_sweep sightline_reconstruct sightline_reflect sightline_coverage
-  sightline_formats sightline_library EXPORT sightline)
+  sightline_sightline sightline_formats sightline_library EXPORT sightline)
 install(EXPORT sightline NAMESPACE sightline:: FILE sightlineTargets.cmake DESTINATION "${package_dir}")
 
 configure_package_config_file(cmake/sightlineConfig.cmake.in sightlineConfig.cmake INSTALL_DESTINATION "${package_dir}")

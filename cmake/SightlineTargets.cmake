@@ -50,8 +50,10 @@ function(sightline_add_room room)
   list(FILTER sources EXCLUDE REGEX "/formats/pictures/")  # they need libpng: a part of the command
   set(target sightline_${room})
   add_library(${target} STATIC ${sources})
-  add_library(sightline::${room} ALIAS ${target})
-  set_target_properties(${target} PROPERTIES EXPORT_NAME ${room})
+  if(NOT room STREQUAL "sightline")  # sightline::sightline is all rooms
+    add_library(sightline::${room} ALIAS ${target})
+    set_target_properties(${target} PROPERTIES EXPORT_NAME ${room})
+  endif()
   target_include_directories(${target} PUBLIC
     "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>"
     "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/sightline-${PROJECT_VERSION}>")

@@ -31,7 +31,7 @@ struct Sight {
 // One surface, and who sees some of it.
 class SurfaceCover {
  public:
-  SurfaceCover(const Mesh& mesh, FacetId surface) : mesh_(&mesh), surface_(surface) {
+  SurfaceCover(const CutMesh& mesh, FacetId surface) : mesh_(&mesh), surface_(surface) {
     for (FacetId f = surface; f < end_of_surface(mesh, surface); f = FacetId(f.index() + 1))
       area_ += facet_area(mesh, f);
   }
@@ -80,7 +80,7 @@ class SurfaceCover {
     return triangles;
   }
 
-  const Mesh* mesh_;
+  const CutMesh* mesh_;
   FacetId surface_;
   double area_ = 0;
   std::vector<Sight> sights_;
@@ -111,7 +111,7 @@ std::array<double, 2> add_areas(CoveredAreas& sums, std::uint64_t panels, Area a
 // Goes through the surfaces in order, and with them through what each camera sees.
 class Accumulation {
  public:
-  Accumulation(const Mesh& mesh, std::span<const SeenPart> cameras, std::size_t panel_count)
+  Accumulation(const CutMesh& mesh, std::span<const SeenPart> cameras, std::size_t panel_count)
       : mesh_(mesh), cameras_(cameras), next_(cameras.size(), 0) {
     const CoveredAreas nothing{0, 0, std::vector<double>(panel_count, 0)};
     result_.cameras.assign(cameras.size(), nothing);
@@ -149,7 +149,7 @@ class Accumulation {
               [&](const Selection& s) { return cover.alone(sight, s); });
   }
 
-  const Mesh& mesh_;
+  const CutMesh& mesh_;
   std::span<const SeenPart> cameras_;
   std::vector<std::size_t> next_;  // per camera, into its surfaces
   Coverage result_;
@@ -157,7 +157,7 @@ class Accumulation {
 
 }  // namespace
 
-Coverage cover(const Mesh& mesh, std::span<const SeenPart> cameras, std::size_t panel_count) {
+Coverage cover(const CutMesh& mesh, std::span<const SeenPart> cameras, std::size_t panel_count) {
   return Accumulation(mesh, cameras, panel_count).run();
 }
 

@@ -39,6 +39,6 @@ struct Coverage {
   std::vector<FaceCoverage> faces;
 };
 
-[[nodiscard]] Coverage cover(const Mesh& mesh, std::span<const SeenPart> cameras, std::size_t panel_count);
+[[nodiscard]] Coverage cover(const CutMesh& mesh, std::span<const SeenPart> cameras, std::size_t panel_count);
 
 }  // namespace sightline::inline coverage

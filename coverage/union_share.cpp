@@ -15,7 +15,7 @@ namespace {
 
 constexpr int grid_bits = default_grid_bits;
 
-std::vector<SpaceTriangle> fans_of(const Mesh& mesh, FacetId surface) {
+std::vector<SpaceTriangle> fans_of(const CutMesh& mesh, FacetId surface) {
   std::vector<SpaceTriangle> triangles;
   for (FacetId f = surface; f < end_of_surface(mesh, surface); f = FacetId(f.index() + 1)) {
     const auto corners = mesh.corners(f);
@@ -109,7 +109,7 @@ double twice_area_of(const ProjectedScene& scene, const VisibleSegments& segment
 
 }  // namespace
 
-UnionShare union_share(const Mesh& mesh, FacetId surface, std::span<const SpaceTriangle> triangles) {
+UnionShare union_share(const CutMesh& mesh, FacetId surface, std::span<const SpaceTriangle> triangles) {
   const std::vector<SpaceTriangle> whole = fans_of(mesh, surface);
   const Axes axes = axes_of(whole);
   const std::size_t along = best_axis(axes, whole);
@@ -117,10 +117,9 @@ UnionShare union_share(const Mesh& mesh, FacetId surface, std::span<const SpaceT
   if (!(twice_whole > 0)) return {0, std::numeric_limits<double>::infinity()};
   Sheets sheets(grid_bits);
   for (const SpaceTriangle& triangle : triangles) sheets.add(image(axes, along, triangle), 0);
-  const Mesh paper = sheets.mesh();
-  const ProjectedScene scene = project(paper, straight_down(), Sides::both, {Arithmetic::exact, grid_bits});
+  const ProjectedScene scene = project(sheets.mesh(), straight_down(), Sides::both, {Arithmetic::exact, grid_bits});
   const auto count = static_cast<double>(triangles.size() + whole.size());
-  return {twice_area_of(scene, plain_sweep(paper, scene)) / twice_whole, 0x1p-37 * count / (twice_whole / 2)};
+  return {twice_area_of(scene, plain_sweep(scene)) / twice_whole, 0x1p-37 * count / (twice_whole / 2)};
 }
 
 }  // namespace sightline::inline coverage

@@ -18,7 +18,7 @@
 #include <array>
 #include <span>
 
-#include "geometry/mesh/mesh.h"
+#include "geometry/mesh/cut_mesh.h"
 
 namespace sightline::inline coverage {
 
@@ -29,6 +29,6 @@ struct UnionShare {
   double error = 0;  // the bound above
 };
 
-[[nodiscard]] UnionShare union_share(const Mesh& mesh, FacetId surface, std::span<const SpaceTriangle> triangles);
+[[nodiscard]] UnionShare union_share(const CutMesh& mesh, FacetId surface, std::span<const SpaceTriangle> triangles);
 
 }  // namespace sightline::inline coverage

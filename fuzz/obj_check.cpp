@@ -5,8 +5,8 @@
 #include "formats/reading/obj_reader.h"
 #include "fuzz/checks.h"
 #include "fuzz/refusal.h"
-#include "geometry/cutting/common_lines.h"
 #include "oracle/judging/judge.h"
+#include "sightline/analyzer.h"
 
 namespace sightline::fuzz {
 namespace {
@@ -47,10 +47,7 @@ void check_obj(std::string_view bytes) {
   if (file->mesh.facet_count() > most_facets) return;
   const ViewPoint view{{3, 2, 4}, {0, 0, 0}, {0, 1, 0}, 1, {}, {}};
   const Camera camera = perspective_camera("fixed", view, 50);
-  const MeshContacts contacts = find_contacts(file->mesh);
-  const Mesh mesh = cut_along_common_lines(file->mesh, contacts);
-  const Sides sides = decide_sides(mesh, contacts, camera, SidesPolicy::automatic).sides;
-  lattice::Complaints complaints = lattice::complaints_of_stages(mesh, analyze(mesh, camera, sides));
+  lattice::Complaints complaints = lattice::complaints_of_stages(Analyzer(file->mesh).view(camera));
   if (has_coarse_doubles(file->mesh))
     std::erase_if(complaints, [](const std::string& line) { return line.starts_with("labelled: "); });
   require_none(complaints);

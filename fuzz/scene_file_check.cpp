@@ -6,6 +6,7 @@
 #include "fuzz/no_files.h"
 #include "fuzz/refusal.h"
 #include "oracle/judging/judge.h"
+#include "sightline/analyzer.h"
 
 namespace sightline::fuzz {
 using namespace cli;
@@ -48,8 +49,7 @@ Mesh small_mesh() {
 }
 
 void check_view(const Mesh& mesh, const Camera& camera, SidesPolicy policy) {
-  const Sides sides = decide_sides(mesh, find_contacts(mesh), camera, policy).sides;
-  const auto complaints = lattice::complaints_of_stages(mesh, analyze(mesh, camera, sides));
+  const auto complaints = lattice::complaints_of_stages(Analyzer(mesh, {.sides = policy}).view(camera));
   if (!complaints.empty()) throw Finding("camera " + camera.name + ": " + lattice::joined(complaints));
 }
 

@@ -5,6 +5,7 @@
 #include "oracle/judging/engine_comparison.h"
 #include "oracle/judging/judge.h"
 #include "oracle/truth/truth.h"
+#include "sightline/analyzer.h"
 
 namespace sightline::fuzz {
 namespace {
@@ -37,14 +38,13 @@ lattice::Complaints differences_from_truth(const Mesh& whole, const lattice::Ran
 void check_sweep(std::string_view bytes) {
   const lattice::RandomScene scene = chosen_scene(bytes);
   const Mesh whole = lattice::mesh_of(scene);
-  const Mesh mesh = lattice::cut(whole);
-  const View view = analyze(mesh, scene.camera, scene.sides);
-  lattice::Complaints complaints = lattice::complaints_of_stages(mesh, view);
-  const bool exact = !mesh.is_cut() && is_on_the_grid(whole, scene);
+  const View view = Analyzer(whole, {.sides = policy_of(scene.sides)}).view(scene.camera);
+  lattice::Complaints complaints = lattice::complaints_of_stages(view);
+  const bool exact = !view.mesh().is_cut() && is_on_the_grid(whole, scene);
   const auto more = exact ? lattice::judge(scene).complaints : differences_from_truth(whole, scene, view);
   complaints.insert(complaints.end(), more.begin(), more.end());
   lattice::EngineTally tally;
-  const std::string engines = lattice::engine_differences(mesh, view.scene, {{4, 2}}, tally);
+  const std::string engines = lattice::engine_differences(view.scene, {{4, 2}}, tally);
   if (!engines.empty()) complaints.push_back("the engines differ: " + engines);
   if (!complaints.empty()) throw Finding(lattice::joined(complaints) + lattice::to_text(scene));
 }

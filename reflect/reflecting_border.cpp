@@ -60,7 +60,7 @@ class SurfaceBorder {
 
 // Calls visit(ids) with the segments of one surface after another.
 template <class Visit>
-void for_each_surface(const Mesh& mesh, const VisibleSegments& segments, Visit visit) {
+void for_each_surface(const CutMesh& mesh, const VisibleSegments& segments, Visit visit) {
   std::vector<std::pair<FacetId, SegmentId>> sorted;
   for (std::size_t s = 0; s < segments.segments.size(); ++s)
     sorted.emplace_back(surface_of(mesh, segments.segments[s].facet), SegmentId(s));
@@ -74,7 +74,7 @@ void for_each_surface(const Mesh& mesh, const VisibleSegments& segments, Visit v
 }
 
 // The edges along which a surface that reflects is visible.
-std::map<FacetId, std::vector<EdgeId>> edges_of_reflecting(const VisibleSegments& reflecting, const Mesh& mesh,
+std::map<FacetId, std::vector<EdgeId>> edges_of_reflecting(const VisibleSegments& reflecting, const CutMesh& mesh,
                                                            const VisibleSegments& visible) {
   std::map<FacetId, std::vector<EdgeId>> edges_of;
   std::vector<bool> reflects(mesh.facet_count());
@@ -99,7 +99,8 @@ std::vector<PointId> start_points(const VisibleSegments& segments, const std::ve
 
 }  // namespace
 
-VisibleSegments reflecting_segments(const Mesh& mesh, const MergedScene& merged, std::vector<SurfacePiece> pieces) {
+VisibleSegments reflecting_segments(const MergedScene& merged, std::vector<SurfacePiece> pieces) {
+  const CutMesh& mesh = merged.scene.mesh();
   const SweepOrder before(merged.scene, merged.segments);
   VisibleSegments result;
   result.crossings = merged.segments.crossings;
@@ -116,8 +117,8 @@ VisibleSegments reflecting_segments(const Mesh& mesh, const MergedScene& merged,
   return result;
 }
 
-void find_splits(VisibleSegments& reflecting, const Mesh& mesh, const ProjectedScene& scene,
-                 const VisibleSegments& visible) {
+void find_splits(VisibleSegments& reflecting, const ProjectedScene& scene, const VisibleSegments& visible) {
+  const CutMesh& mesh = scene.mesh();
   if (reflecting.segments.empty()) return;
   const EdgeSides sides(scene, visible);
   auto edges_of = edges_of_reflecting(reflecting, mesh, visible);

@@ -7,7 +7,7 @@
 
 #include <span>
 
-#include "geometry/mesh/mesh.h"
+#include "geometry/mesh/cut_mesh.h"
 #include "reflect/merged_scene.h"
 
 namespace sightline::inline reflect {
@@ -17,13 +17,11 @@ struct SurfacePiece {
   NumberedPiece piece;
 };
 
-[[nodiscard]] VisibleSegments reflecting_segments(const Mesh& mesh, const MergedScene& merged,
-                                                  std::vector<SurfacePiece> pieces);
+[[nodiscard]] VisibleSegments reflecting_segments(const MergedScene& merged, std::vector<SurfacePiece> pieces);
 
 // Gives the reflecting segments their splits: where their ends lie strictly inside edges of their own surface, which the
 // labelled surface must split for all faces on them. visible: the view's visible segments, on whose edges these ends can
 // lie.
-void find_splits(VisibleSegments& reflecting, const Mesh& mesh, const ProjectedScene& scene,
-                 const VisibleSegments& visible);
+void find_splits(VisibleSegments& reflecting, const ProjectedScene& scene, const VisibleSegments& visible);
 
 }  // namespace sightline::inline reflect

@@ -40,9 +40,9 @@ class Reflection {
     view.reflections.mode = world_.options.mode;
     for (std::size_t panel = 0; panel < world_.panels.size(); ++panel) {
       PanelReflection& reflection = view.reflections.panels.emplace_back();
-      reflection.segments = reflecting_segments(*world_.surface, merged, pieces_of(panel, merged));
-      reflection.polygons = reconstruct_polygons(*world_.surface, merged.scene, reflection.segments);
-      find_splits(reflection.segments, *world_.surface, merged.scene, merged.segments);
+      reflection.segments = reflecting_segments(merged, pieces_of(panel, merged));
+      reflection.polygons = reconstruct_polygons(merged.scene, reflection.segments);
+      find_splits(reflection.segments, merged.scene, merged.segments);
     }
     for (const PanelReflection& reflection : view.reflections.panels) add_splits(merged.segments, reflection.segments);
     view.reflections.statistics = statistics_;

@@ -108,47 +108,47 @@ class BandObservers {
   std::size_t done_ = 0;
 };
 
-VisibleSegments swept_band(const Mesh& mesh, const ProjectedScene& scene, const Continuation& continuation,
+VisibleSegments swept_band(const ProjectedScene& scene, const Continuation& continuation,
                            std::span<const DepthRange> depths, std::span<const FacetId> facets,
                            BandObservers& observers) {
   const ScenePart part = part_of(scene, continuation, facets);
   observers.expect(part.point.size());
   BandObservers::Band observer(observers, part);
-  return in_whole(scene, part, plain_sweep(mesh, part.scene, depths, observers.is_watched() ? &observer : nullptr));
+  return in_whole(scene, part, plain_sweep(part.scene, depths, observers.is_watched() ? &observer : nullptr));
 }
 
-std::vector<VisibleSegments> swept_bands(const Mesh& mesh, const ProjectedScene& scene,
-                                         const Continuation& continuation, std::span<const DepthRange> depths,
-                                         const Bands& bands, SweepObserver* observer) {
+std::vector<VisibleSegments> swept_bands(const ProjectedScene& scene, const Continuation& continuation,
+                                         std::span<const DepthRange> depths, const Bands& bands,
+                                         SweepObserver* observer) {
   BandObservers observers(scene, observer);
   std::vector<VisibleSegments> swept(bands.swept.size());
   parallel_for_each(swept.size(), 1, [&](std::size_t band) {
-    swept[band] = swept_band(mesh, scene, continuation, depths, bands.swept[band], observers);
+    swept[band] = swept_band(scene, continuation, depths, bands.swept[band], observers);
   });
   return swept;
 }
 
 }  // namespace
 
-VisibleSegments fast_visible_segments(const Mesh& mesh, const ProjectedScene& scene, const FastOptions& options,
+VisibleSegments fast_visible_segments(const ProjectedScene& scene, const FastOptions& options,
                                       SweepObserver* observer) {
-  if (scene.arithmetic != Arithmetic::exact) return plain_sweep(mesh, scene, observer);
+  const CutMesh& mesh = scene.mesh();
+  if (scene.arithmetic != Arithmetic::exact) return plain_sweep(scene, observer);
   const Continuation continuation(scene);
-  const std::vector<DepthRange> depths = depth_ranges(mesh, scene);
+  const std::vector<DepthRange> depths = depth_ranges(scene);
   std::vector<std::uint8_t> behind_large = hidden_behind_large_facets(scene, depths);
-  keep_surfaces_whole(mesh, scene, behind_large);
+  keep_surfaces_whole(scene, behind_large);
   const CellGrid grid(scene.grid_bits, options.level ? *options.level : level_for(scene, continuation, behind_large));
   const FacetCells cells(scene, continuation, grid, behind_large);
-  const Covers covers = find_covers(mesh, scene, depths, continuation, grid, cells, behind_large);
-  const std::vector<Role> roles = find_roles(mesh, scene, continuation, covers, grid, cells);
+  const Covers covers = find_covers(scene, depths, continuation, grid, cells, behind_large);
+  const std::vector<Role> roles = find_roles(scene, continuation, covers, grid, cells);
   const Bands bands = make_bands(mesh, roles, grid, cells, options.bands.value_or(band_count(roles, grid, cells)));
-  std::vector<VisibleSegments> swept = swept_bands(mesh, scene, continuation, depths, bands, observer);
+  std::vector<VisibleSegments> swept = swept_bands(scene, continuation, depths, bands, observer);
   return join_segments(scene, continuation, roles, bands, std::move(swept));
 }
 
-VisibleSegments find_visible_segments(const Mesh& mesh, const ProjectedScene& scene, Engine engine,
-                                      SweepObserver* observer) {
-  return engine == Engine::full ? plain_sweep(mesh, scene, observer) : fast_visible_segments(mesh, scene, {}, observer);
+VisibleSegments find_visible_segments(const ProjectedScene& scene, Engine engine, SweepObserver* observer) {
+  return engine == Engine::full ? plain_sweep(scene, observer) : fast_visible_segments(scene, {}, observer);
 }
 
 }  // namespace sightline::inline sweep

@@ -14,7 +14,8 @@ std::string name_of_vertex(VertexId v, const SceneNames& given) {
   return v.index() < given.vertices.size() ? given.vertices[v.index()] : "v" + std::to_string(v.index() + 1);
 }
 
-std::vector<std::string> names_of_points(const Mesh& mesh, const ProjectedScene& scene, const SceneNames& given) {
+std::vector<std::string> names_of_points(const ProjectedScene& scene, const SceneNames& given) {
+  const CutMesh& mesh = scene.mesh();
   std::vector<VertexId> vertices(scene.points.size());
   for (const ClippedCorner& corner : scene.polygon_corners) {
     VertexId& first = vertices[corner.point.index()];
@@ -29,7 +30,7 @@ std::vector<std::string> names_of_points(const Mesh& mesh, const ProjectedScene&
   return names;
 }
 
-std::vector<std::string> names_of_faces(const Mesh& mesh, const SceneNames& given) {
+std::vector<std::string> names_of_faces(const CutMesh& mesh, const SceneNames& given) {
   std::vector<std::string> names = given.faces;
   for (std::size_t f = names.size(); f < mesh.face_count(); ++f) names.push_back(std::to_string(f));
   return names;

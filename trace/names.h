@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/mesh/mesh.h"
+#include "geometry/mesh/cut_mesh.h"
 #include "geometry/projection/projected_scene.h"
 
 namespace sightline::trace {
@@ -24,10 +24,9 @@ struct SceneNames {
 [[nodiscard]] std::string name_of_vertex(VertexId v, const SceneNames& given);
 
 // Per point of the scene.
-[[nodiscard]] std::vector<std::string> names_of_points(const Mesh& mesh, const ProjectedScene& scene,
-                                                       const SceneNames& given);
+[[nodiscard]] std::vector<std::string> names_of_points(const ProjectedScene& scene, const SceneNames& given);
 // Per face.
-[[nodiscard]] std::vector<std::string> names_of_faces(const Mesh& mesh, const SceneNames& given);
+[[nodiscard]] std::vector<std::string> names_of_faces(const CutMesh& mesh, const SceneNames& given);
 
 [[nodiscard]] std::string name_of_crossing(std::size_t number, const SceneNames& given);
 

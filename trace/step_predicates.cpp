@@ -7,14 +7,14 @@
 
 namespace sightline::trace {
 
-StepPredicates::StepPredicates(const Mesh& mesh, const SweepLog& log, const SceneNames& names)
-    : mesh_(mesh),
+StepPredicates::StepPredicates(const SweepLog& log, const SceneNames& names)
+    : mesh_(log.scene.mesh()),
       log_(log),
       scene_(log.scene),
       names_(names),
-      ranges_(log.scene.arithmetic == Arithmetic::exact ? depth_ranges(mesh, log.scene) : std::vector<DepthRange>{}),
-      depth_(mesh, log.scene, ranges_),
-      pieces_(mesh, log.scene) {}
+      ranges_(log.scene.arithmetic == Arithmetic::exact ? depth_ranges(log.scene) : std::vector<DepthRange>{}),
+      depth_(log.scene, ranges_),
+      pieces_(log.scene) {}
 
 // Insertion sort ends whatever the order is. Where depths are no order the topmost facet need not be the first.
 void StepPredicates::sort_by_depth(std::vector<FacetId>& facets, FacetId topmost) {

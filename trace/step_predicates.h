@@ -20,7 +20,7 @@
 #include <span>
 #include <vector>
 
-#include "geometry/mesh/mesh.h"
+#include "geometry/mesh/cut_mesh.h"
 #include "sweep/plain/depth_order.h"
 #include "sweep/plain/depth_ranges.h"
 #include "trace/names.h"
@@ -30,7 +30,7 @@ namespace sightline::trace {
 
 class StepPredicates {
  public:
-  StepPredicates(const Mesh& mesh, const SweepLog& log, const SceneNames& names);
+  StepPredicates(const SweepLog& log, const SceneNames& names);
 
   // From the nearest to the farthest, as Fang has his node lists; of the facets of a list, with its topmost one.
   void sort_by_depth(std::vector<FacetId>& facets, FacetId topmost);
@@ -61,7 +61,7 @@ class StepPredicates {
   [[nodiscard]] WholeId whole_of(FacetId f) const;
   [[nodiscard]] const char* integers() const;
 
-  const Mesh& mesh_;
+  const CutMesh& mesh_;
   const SweepLog& log_;
   const ProjectedScene& scene_;
   const SceneNames& names_;

@@ -55,12 +55,12 @@ std::string emit_vertex(FacetId surface, SweepStep& step) {
 
 }  // namespace
 
-SweepRecorder::SweepRecorder(const Mesh& mesh, const SceneNames& names, std::size_t most_steps, SweepLog& log)
-    : mesh_(mesh), names_(names), most_steps_(most_steps), log_(log), predicates_(mesh, log, names) {}
+SweepRecorder::SweepRecorder(const SceneNames& names, std::size_t most_steps, SweepLog& log)
+    : mesh_(log.scene.mesh()), names_(names), most_steps_(most_steps), log_(log), predicates_(log, names) {}
 
 void SweepRecorder::look(const SweepState& state) {
   log_.depth_is_transitive = state.so_far().statistics.depth_is_transitive;
-  if (log_.steps.size() == most_steps_) throw TooManySteps("the sweep has too many points to be traced");
+  if (log_.steps.size() == most_steps_) throw TooManySteps(log_.scene.points.size());
   SweepStep step;
   std::vector<LoggedBundle> after;
   step.place = state.here();

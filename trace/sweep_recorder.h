@@ -8,7 +8,7 @@
 
 #include <vector>
 
-#include "geometry/mesh/mesh.h"
+#include "geometry/mesh/cut_mesh.h"
 #include "geometry/numbers/errors.h"
 #include "sweep/plain/sweep.h"
 #include "trace/step_predicates.h"
@@ -16,14 +16,23 @@
 
 namespace sightline::trace {
 
+// The sweep has too many points to be traced.
 class TooManySteps : public Error {
-  using Error::Error;
+ public:
+  explicit TooManySteps(std::size_t points_in_view)
+      : Error("the sweep has too many points to be traced"), points_in_view_(points_in_view) {}
+
+  // The points that vertices make; crossings are not among them.
+  [[nodiscard]] std::size_t points_in_view() const { return points_in_view_; }
+
+ private:
+  std::size_t points_in_view_;
 };
 
 class SweepRecorder : public SweepObserver {
  public:
   // log: has its scene and names; gets its steps and segments.
-  SweepRecorder(const Mesh& mesh, const SceneNames& names, std::size_t most_steps, SweepLog& log);
+  SweepRecorder(const SceneNames& names, std::size_t most_steps, SweepLog& log);
 
   void at(const SweepPoint& /*point*/) override {}
   void look(const SweepState& state) override;
@@ -40,7 +49,7 @@ class SweepRecorder : public SweepObserver {
   void find_covered_edges(SweepStep& step) const;
   [[nodiscard]] FacetId topmost_surface(const LoggedBundle& bundle) const;
 
-  const Mesh& mesh_;
+  const CutMesh& mesh_;
   const SceneNames& names_;
   const std::size_t most_steps_;
   SweepLog& log_;

@@ -25,14 +25,14 @@ std::array<Number, 3>* buffer_of(RTCGeometry geometry, RTCBufferType type, RTCFo
       rtcSetNewGeometryBuffer(geometry, type, 0, format, sizeof(std::array<Number, 3>), count));
 }
 
-void set_vertices(RTCGeometry geometry, const Mesh& mesh) {
+void set_vertices(RTCGeometry geometry, const CutMesh& mesh) {
   auto* vertices = buffer_of<float>(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, mesh.vertices.size());
   for (const Point3& p : mesh.vertices) {
     *vertices++ = {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
   }
 }
 
-void set_triangles(RTCGeometry geometry, const Mesh& mesh) {
+void set_triangles(RTCGeometry geometry, const CutMesh& mesh) {
   const std::size_t count = mesh.facets.corners.size() - 2 * mesh.facet_count();
   auto* triangles = buffer_of<std::uint32_t>(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, count);
   for (std::size_t f = 0; f < mesh.facet_count(); ++f) {
@@ -43,7 +43,7 @@ void set_triangles(RTCGeometry geometry, const Mesh& mesh) {
   }
 }
 
-RTCScene build_hierarchy(RTCDevice device, const Mesh& mesh) {
+RTCScene build_hierarchy(RTCDevice device, const CutMesh& mesh) {
   RTCScene scene = rtcNewScene(device);
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
   set_vertices(geometry, mesh);
@@ -103,7 +103,7 @@ void shoot_tile(RTCScene scene, const Point3& from, const RayFan& fan, std::size
 
 }  // namespace
 
-std::optional<EmbreeSeconds> seconds_of_embree(const Mesh& mesh, const Camera& camera) {
+std::optional<EmbreeSeconds> seconds_of_embree(const CutMesh& mesh, const Camera& camera) {
   RTCDevice device = rtcNewDevice("threads=1");
   EmbreeSeconds seconds;
   const ProcessorTime building;
@@ -128,7 +128,9 @@ std::optional<EmbreeSeconds> seconds_of_embree(const Mesh& mesh, const Camera& c
 
 namespace sightline::bench {
 
-std::optional<EmbreeSeconds> seconds_of_embree(const Mesh& /*mesh*/, const Camera& /*camera*/) { return std::nullopt; }
+std::optional<EmbreeSeconds> seconds_of_embree(const CutMesh& /*mesh*/, const Camera& /*camera*/) {
+  return std::nullopt;
+}
 
 }  // namespace sightline::bench
 

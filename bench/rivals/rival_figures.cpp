@@ -19,9 +19,9 @@ std::vector<double> numbers_of(const std::optional<EmbreeSeconds>& seconds) {
 }  // namespace
 
 RivalWorks::RivalWorks(const BenchScene& scene) : scene_(&scene), file_(scene.file) {
-  if (file_.empty()) file_ = written_.emplace(scene.mesh).path();
+  if (file_.empty()) file_ = written_.emplace(*scene.mesh).path();
   ProjectedScene projected = project(scene.mesh, scene.camera, scene.sides);
-  triangles_ = projected_triangles(scene.mesh, projected);
+  triangles_ = projected_triangles(projected);
   points_ = std::move(projected.points);
 }
 
@@ -29,7 +29,7 @@ std::vector<Work> RivalWorks::works() const {
   return {
       [this] { return numbers_of(seconds_to_parse(file_)); },
       [this] { return std::vector{seconds_to_sort(points_)}; },
-      [this] { return numbers_of(seconds_of_embree(scene_->mesh, scene_->camera)); },
+      [this] { return numbers_of(seconds_of_embree(*scene_->mesh, scene_->camera)); },
       [this] { return numbers_of(seconds_of_gl2ps(triangles_)); },
   };
 }

@@ -28,7 +28,7 @@ struct EmbreeSeconds {
   double hierarchy = 0;
   double rays = 0;
 };
-[[nodiscard]] std::optional<EmbreeSeconds> seconds_of_embree(const Mesh& mesh, const Camera& camera);
+[[nodiscard]] std::optional<EmbreeSeconds> seconds_of_embree(const CutMesh& mesh, const Camera& camera);
 
 // CGAL: lower_envelope_3, with exact predicates and constructions.
 [[nodiscard]] std::optional<double> seconds_of_cgal(const std::vector<ProjectedTriangle>& triangles);

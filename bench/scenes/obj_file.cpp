@@ -11,7 +11,7 @@
 namespace sightline::bench {
 namespace {
 
-std::string obj_text(const Mesh& mesh) {
+std::string obj_text(const PolygonMesh& mesh) {
   std::string text;
   for (const Point3& p : mesh.vertices)
     fmt::format_to(std::back_inserter(text), "v {:.9g} {:.9g} {:.9g}\n", p.x, p.y, p.z);
@@ -25,7 +25,7 @@ std::string obj_text(const Mesh& mesh) {
 
 }  // namespace
 
-TemporaryObj::TemporaryObj(const Mesh& mesh)
+TemporaryObj::TemporaryObj(const PolygonMesh& mesh)
     : path_(std::filesystem::temp_directory_path() / fmt::format("sightline-{}.obj", getpid())) {
   std::ofstream file(path_, std::ios::binary);
   file << obj_text(mesh);

@@ -12,7 +12,7 @@ namespace sightline::bench {
 
 class TemporaryObj {
  public:
-  explicit TemporaryObj(const Mesh& mesh);
+  explicit TemporaryObj(const PolygonMesh& mesh);
   TemporaryObj(const TemporaryObj&) = delete;
   TemporaryObj& operator=(const TemporaryObj&) = delete;
   ~TemporaryObj();

@@ -17,6 +17,6 @@ namespace sightline::bench {
 
 using ProjectedTriangle = std::array<Point3, 3>;
 
-[[nodiscard]] std::vector<ProjectedTriangle> projected_triangles(const Mesh& mesh, const ProjectedScene& scene);
+[[nodiscard]] std::vector<ProjectedTriangle> projected_triangles(const ProjectedScene& scene);
 
 }  // namespace sightline::bench

@@ -1,4 +1,5 @@
 #include "bench/scenes/side_by_side_models.h"
+#include "sightline/analyzer.h"
 
 #include <algorithm>
 #include <utility>
@@ -27,14 +28,14 @@ Camera camera_before(const Mesh& mesh) {
 
 BenchScene model_scene(const fs::path& file) {
   BenchScene scene;
-  scene.mesh = read_obj(file).mesh;
-  scene.camera = camera_before(scene.mesh);
+  Mesh mesh = read_obj(file).mesh;
+  scene.camera = camera_before(mesh);
   scene.file = file;
   const ProcessorTime watch;
-  const MeshContacts contacts = find_contacts(scene.mesh);
-  scene.mesh = cut_along_common_lines(std::move(scene.mesh), contacts);
+  const Analyzer analyzer(std::move(mesh));
   scene.preparation = watch.seconds();
-  scene.sides = decide_sides(scene.mesh, contacts, scene.camera, SidesPolicy::automatic).sides;
+  scene.mesh = analyzer.shared_mesh();
+  scene.sides = analyzer.sides(scene.camera).sides;
   return scene;
 }
 

@@ -36,10 +36,14 @@ SceneFamily growing(const std::string& name, const std::string& number, const st
   return {name, number, title, "size", of_sizes(make, sizes), of_sizes(make, sizes_for_cgal(sizes.back()))};
 }
 
+BenchScene scene_of(Mesh mesh, const Camera& camera, Sides sides) {
+  return {std::make_shared<const CutMesh>(uncrossed(std::move(mesh))), camera, sides, {}, 0};
+}
+
 SceneFamily sheet_family(const std::string& name, const std::string& number, const std::string& title, FrontSheet front,
                          std::size_t triangles) {
   const auto scene = [front](std::size_t size, std::size_t count) {
-    return BenchScene{sheets(size, count, front), view_into_box(), Sides::both, {}, 0};
+    return scene_of(sheets(size, count, front), view_into_box(), Sides::both);
   };
   SceneFamily family{name, number, title, "sheets", {}, {}};
   for (std::size_t count = 1; count <= most_sheets; count *= 2) {
@@ -59,7 +63,7 @@ SceneFamily model_family() {
 
 std::vector<SceneFamily> all_families(const std::vector<std::size_t>& sizes) {
   const auto scene = [](Mesh (*make)(std::size_t), Camera (*camera)(), Sides sides) {
-    return [=](std::size_t size) { return BenchScene{make(size), camera(), sides, {}, 0}; };
+    return [=](std::size_t size) { return scene_of(make(size), camera(), sides); };
   };
   std::vector<SceneFamily> families{
       growing("sphere", "i", "a closed surface with folds", scene(folded_sphere, overview, Sides::front), sizes),

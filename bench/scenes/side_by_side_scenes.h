@@ -20,7 +20,7 @@
 namespace sightline::bench {
 
 struct BenchScene {
-  Mesh mesh;
+  std::shared_ptr<const CutMesh> mesh;
   Camera camera;
   Sides sides = Sides::both;
   std::filesystem::path file;  // where the mesh comes from; empty: generated

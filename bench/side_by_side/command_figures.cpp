@@ -1,4 +1,5 @@
 #include "bench/side_by_side/command_figures.h"
+#include "sightline/analyzer.h"
 
 #include <stdlib.h>
 #include <tbb/global_control.h>
@@ -47,10 +48,14 @@ double digest(const View& view) {
   return digest.value();
 }
 
-std::vector<double> run_with_threads(const Mesh& mesh, std::size_t threads) {
+View view_of(const std::shared_ptr<const CutMesh>& mesh) {
+  return Analyzer(mesh, {.sides = SidesPolicy::front}).view(overview());
+}
+
+std::vector<double> run_with_threads(const std::shared_ptr<const CutMesh>& mesh, std::size_t threads) {
   const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
   const Stopwatch watch;
-  const View view = analyze(mesh, overview(), Sides::front);
+  const View view = view_of(mesh);
   const double seconds = watch.seconds();
   return {seconds, digest(view)};
 }
@@ -63,14 +68,14 @@ std::uintmax_t bytes_in(const std::filesystem::path& folder) {
   return bytes;
 }
 
-std::vector<double> run_writing(const Mesh& mesh, const std::filesystem::path& folder) {
+std::vector<double> run_writing(const std::shared_ptr<const CutMesh>& mesh, const std::filesystem::path& folder) {
   const ProcessorTime of_view;
-  const View view = analyze(mesh, overview(), Sides::front);
+  const View view = view_of(mesh);
   const double visibility = of_view.seconds();
   const ProcessorTime of_writing;
   {
     ResultFolders results(folder);
-    write_view_files(results, mesh, view, {}, measure_faces(mesh, view), window_points(view));
+    write_view_files(results, view, {}, measure_faces(view), window_points(view));
     results.publish();
   }
   const double writing = of_writing.seconds();
@@ -100,7 +105,7 @@ class TemporaryFolder {
 }  // namespace
 
 ThreadFigures measure_threads(std::size_t triangles, const RunLimits& limits) {
-  const Mesh mesh = folded_sphere(triangles);
+  const auto mesh = std::make_shared<const CutMesh>(uncrossed(folded_sphere(triangles)));
   const auto outcomes =
       run_in_turns({[&] { return run_with_threads(mesh, 1); }, [&] { return run_with_threads(mesh, 2); }}, limits);
   ThreadFigures figures{figure_of(outcomes[0], 0, limits), figure_of(outcomes[1], 0, limits), {}};
@@ -112,7 +117,7 @@ ThreadFigures measure_threads(std::size_t triangles, const RunLimits& limits) {
 }
 
 WritingFigures measure_writing(std::size_t triangles, const RunLimits& limits) {
-  const Mesh mesh = folded_sphere(triangles);
+  const auto mesh = std::make_shared<const CutMesh>(uncrossed(folded_sphere(triangles)));
   const TemporaryFolder folder;
   const Outcome outcome = run_in_turns({[&] { return run_writing(mesh, folder.path()); }}, limits).front();
   return {figure_of(outcome, 0, limits), figure_of(outcome, 1, limits), figure_of(outcome, 2, limits)};

@@ -25,7 +25,7 @@ SceneResult measure_scene(const SceneFamily& family, const SceneMaker& maker, co
     for (Work& work : rivals.emplace(scene).works()) works.push_back(std::move(work));
   }
   const std::vector<Outcome> outcomes = run_in_turns(works, options.limits);
-  SceneResult result{maker.label, scene.mesh.facet_count(), scene.preparation, {}, {}, {}};
+  SceneResult result{maker.label, scene.mesh->facet_count(), scene.preparation, {}, {}, {}};
   result.view = view_figures(outcomes.front(), options.limits);
   if (views > 1) result.double_precision = view_figures(outcomes[1], options.limits).sum;
   if (rivals) result.rivals = RivalWorks::figures(std::span(outcomes).subspan(views), options.limits);
@@ -33,9 +33,9 @@ SceneResult measure_scene(const SceneFamily& family, const SceneMaker& maker, co
 }
 
 CgalResult measure_cgal(const std::string& label, const BenchScene& scene, const RunLimits& limits) {
-  const auto triangles = projected_triangles(scene.mesh, project(scene.mesh, scene.camera, scene.sides));
+  const auto triangles = projected_triangles(project(scene.mesh, scene.camera, scene.sides));
   const std::vector<Outcome> outcomes = run_in_turns({view_work(scene), cgal_work(triangles)}, limits);
-  return {label, scene.mesh.facet_count(), triangles.size(), view_figures(outcomes[0], limits).sum,
+  return {label, scene.mesh->facet_count(), triangles.size(), view_figures(outcomes[0], limits).sum,
           figure_of(outcomes[1], 0, limits)};
 }
 
@@ -53,7 +53,7 @@ std::vector<CgalResult> measure_for_cgal(const SceneFamily& family, const RunLim
   std::vector<CgalResult> results;
   for (const SceneMaker& maker : family.for_cgal) {
     const BenchScene scene = maker.make();
-    if (is_hopeless(results, scene.mesh.facet_count(), limits.seconds)) continue;
+    if (is_hopeless(results, scene.mesh->facet_count(), limits.seconds)) continue;
     say(family, maker.label, "CGAL");
     results.push_back(measure_cgal(maker.label, scene, limits));
   }

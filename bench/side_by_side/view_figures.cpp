@@ -5,47 +5,47 @@
 #include "bench/scenes/generated_scenes.h"
 #include "cli/system/process_memory.h"
 #include "cli/system/processor_time.h"
-#include "sightline/analyze.h"
+#include "sightline/analyzer.h"
 
 namespace sightline::bench {
 using namespace cli;
 namespace {
 
-// The value of `work`; how long it took goes to the end of `seconds`.
-template <class Stage>
-auto timed(std::vector<double>& seconds, Stage stage) {
-  const ProcessorTime watch;
-  auto result = stage();
-  seconds.push_back(watch.seconds());
-  return result;
-}
+// How long the stages of a view take, in their order; deciding on the sides is none where they are given.
+class StageTimes : public AnalysisHook {
+ public:
+  void begins(Stage /*stage*/) override { watch_ = ProcessorTime(); }
+  void ended(Stage stage, double /*seconds*/) override {
+    if (stage != Stage::sides) seconds_.push_back(watch_.seconds());
+  }
+  [[nodiscard]] const std::vector<double>& seconds() const { return seconds_; }
+
+ private:
+  ProcessorTime watch_;
+  std::vector<double> seconds_;
+};
 
 std::vector<double> run_stages(const BenchScene& scene, Arithmetic arithmetic) {
-  const Mesh& mesh = scene.mesh;
   reset_peak();
   const std::size_t before = resident_bytes();
-  std::vector<double> numbers;
-  View view;
+  StageTimes times;
+  const Analyzer analyzer(scene.mesh, {.sides = policy_of(scene.sides), .precision = {arithmetic}, .hook = &times});
   const ProcessorTime watch;
-  view.scene = timed(numbers, [&] { return project(mesh, scene.camera, scene.sides, {arithmetic}); });
-  view.segments = timed(numbers, [&] { return find_visible_segments(mesh, view.scene); });
-  view.polygons = timed(numbers, [&] { return reconstruct_polygons(mesh, view.scene, view.segments); });
-  view.labelled = timed(numbers, [&] { return label_mesh(mesh, view.scene, view.segments, view.polygons); });
+  const View view = analyzer.view(scene.camera);
+  std::vector<double> numbers = times.seconds();
   numbers.push_back(watch.seconds());
-  numbers.push_back(static_cast<double>(peak_bytes() - before) / static_cast<double>(mesh.facet_count()));
+  numbers.push_back(static_cast<double>(peak_bytes() - before) / static_cast<double>(scene.mesh->facet_count()));
   return numbers;
 }
 
-std::vector<double> run_reflection(const MirrorWorld& world) {
-  const Mesh& mesh = *world.surface;
-  std::vector<double> numbers;
-  const ProjectedScene scene = timed(numbers, [&] { return project(mesh, view_from_above(), Sides::both); });
-  const VisibleSegments segments = timed(numbers, [&] { return find_visible_segments(mesh, scene); });
-  const VisiblePolygons polygons = timed(numbers, [&] { return reconstruct_polygons(mesh, scene, segments); });
-  (void)timed(numbers, [&] { return label_mesh(mesh, scene, segments, polygons); });
-  const double visibility = numbers[0] + numbers[1] + numbers[2] + numbers[3];
-  (void)timed(numbers, [&] { return find_reflections(world, scene, segments, polygons); });
-  return {numbers.back(), visibility};
+// Project, sweep, rebuild, reflect, label.
+std::vector<double> run_reflection(const std::shared_ptr<const CutMesh>& mesh, const std::vector<Panel>& panels) {
+  StageTimes times;
+  const Analyzer analyzer(mesh, {.sides = SidesPolicy::both, .hook = &times});
+  const MirrorWorld world = analyzer.world(panels);
+  const View view = analyzer.view(view_from_above(), world);
+  const std::vector<double>& seconds = times.seconds();
+  return {seconds[3], seconds[0] + seconds[1] + seconds[2] + seconds[4]};
 }
 
 }  // namespace
@@ -67,9 +67,9 @@ ViewFigures view_figures(const Outcome& outcome, const RunLimits& limits) {
 }
 
 ReflectionFigures measure_reflection(std::size_t triangles, const RunLimits& limits) {
-  const Mesh mesh = terrain(triangles);
-  const MirrorWorld world = make_mirror_world(mesh, {{"lamp", {{-1, 9, -1}, {1, 9, -1}, {1, 9, 1}, {-1, 9, 1}}, {}}});
-  const Outcome outcome = run_in_turns({[&] { return run_reflection(world); }}, limits).front();
+  const auto mesh = std::make_shared<const CutMesh>(uncrossed(terrain(triangles)));
+  const std::vector<Panel> lamp{{"lamp", {{-1, 9, -1}, {1, 9, -1}, {1, 9, 1}, {-1, 9, 1}}, {}}};
+  const Outcome outcome = run_in_turns({[&] { return run_reflection(mesh, lamp); }}, limits).front();
   return {figure_of(outcome, 0, limits), figure_of(outcome, 1, limits)};
 }
 

@@ -11,9 +11,9 @@
 
 namespace sightline::cli {
 
-[[nodiscard]] std::uint64_t memory_for_view(const Mesh& mesh, const ProjectedScene& scene);
+[[nodiscard]] std::uint64_t memory_for_view(const ProjectedScene& scene);
 
 // Throws MemoryError where that is above the limit.
-void require_memory_for_view(const Mesh& mesh, const ProjectedScene& scene, std::uint64_t limit);
+void require_memory_for_view(const ProjectedScene& scene, std::uint64_t limit);
 
 }  // namespace sightline::cli

@@ -1,41 +1,20 @@
-// One mesh and one camera through every stage, each of them timed.
+// A mesh file and an analyzer of it, watched as the command does: progress, times, memory.
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "cli/system/progress.h"
-#include "formats/reading/obj_statements.h"
-#include "geometry/cutting/interpenetration.h"
-#include "sightline/analyze.h"
+#include "formats/reading/obj_reader.h"
+#include "sightline/analyzer.h"
 
 namespace sightline::cli {
 
-// What all cameras of a scene share.
-struct MeshInput {
-  Mesh mesh;                            // cut along the common lines of its facets
-  std::vector<Vector3> corner_normals;  // where they were asked for: see ObjFile
-  std::vector<std::string> warnings;    // of the reader
-  MeshContacts contacts;                // before it was cut
-  std::uint64_t max_memory = 0;         // in bytes
-  double read_seconds = 0;
-  double contacts_seconds = 0;
-  double cut_seconds = 0;
-};
-
-// Errors: InputError (see read_obj).
-[[nodiscard]] MeshInput read_mesh(const std::string& file, Normals normals, std::uint64_t max_memory,
-                                  Progress& progress);
-
-// How views are computed; the result differs by sides and precision only.
-struct ViewOptions {
-  SidesPolicy sides = SidesPolicy::automatic;
-  Precision precision;
-  Engine engine = Engine::fast;
-};
-
 struct StageSeconds {
+  double contacts = 0;
+  double cut = 0;
   double sides = 0;
   double project = 0;
   double sweep = 0;
@@ -44,16 +23,45 @@ struct StageSeconds {
   double label = 0;
 };
 
+// Shows the stages of the analysis of a mesh and its views, takes their times, and ends a view for which there is not
+// enough memory, with a MemoryError, before the sweep.
+class AnalysisWatch : public AnalysisHook {
+ public:
+  AnalysisWatch(std::uint64_t max_memory, Progress& progress) : max_memory_(max_memory), progress_(progress) {}
+
+  // The stages that follow are those of this camera's view.
+  void look_at(const std::string& camera) { camera_ = camera; }
+
+  void begins(Stage stage) override;
+  void ended(Stage stage, double seconds) override;
+  void projected(const ProjectedScene& scene) override;
+  [[nodiscard]] SweepObserver* sweep_observer() override;
+
+  // The times of the mesh's stages, and of the last view's.
+  [[nodiscard]] const StageSeconds& seconds() const { return seconds_; }
+
+ private:
+  std::uint64_t max_memory_;
+  Progress& progress_;
+  std::string camera_;
+  std::optional<SweepProgress> sweep_;
+  StageSeconds seconds_;
+};
+
+// What was read for all cameras of a scene.
+struct MeshInput : ObjFile {
+  double read_seconds = 0;
+};
+
+// Errors: InputError (see read_obj).
+[[nodiscard]] MeshInput read_mesh(const std::string& file, Normals normals, std::uint64_t max_memory,
+                                  Progress& progress);
+
+// A view and how it was computed.
 struct ViewAnalysis {
-  ViewOptions asked;
-  SidesDecision sides;
+  AnalysisOptions asked;
   View view;
   StageSeconds seconds;
 };
-
-// world: of the input's mesh. Without panels nothing is reflected.
-// Errors: MemoryError, before the sweep; InternalError, or ArithmeticError where the arithmetic is not exact.
-[[nodiscard]] ViewAnalysis analyze_view(const MeshInput& input, const MirrorWorld& world, const Camera& camera,
-                                        const ViewOptions& options, Progress& progress);
 
 }  // namespace sightline::cli

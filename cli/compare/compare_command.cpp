@@ -22,19 +22,17 @@ namespace {
 
 // The scene as the peers get it, and the truth.
 struct Ground {
-  MeshInput input;
   ProjectedScene scene;
   peers::ExactParts exact;
 };
 
 Ground ground_of(const Scene& scene, const Camera& camera, Progress& progress) {
-  Ground ground{read_mesh(scene.mesh_file, Normals::passed_over, default_memory_limit(), progress), {}, {}};
-  const Mesh& mesh = ground.input.mesh;
+  MeshInput input = read_mesh(scene.mesh_file, Normals::passed_over, default_memory_limit(), progress);
+  const Analyzer analyzer(std::move(input.mesh), {.sides = scene.sides});
   progress.stage(camera.name + ": what is exactly visible");
-  ground.scene = project(mesh, camera, decide_sides(mesh, ground.input.contacts, camera, scene.sides).sides);
-  const VisibleSegments segments = find_visible_segments(mesh, ground.scene);
-  ground.exact = peers::exact_parts(ground.scene, segments, reconstruct_polygons(mesh, ground.scene, segments));
-  return ground;
+  Visibility visible = analyzer.visible(camera);
+  peers::ExactParts exact = peers::exact_parts(visible.scene, visible.segments, visible.polygons);
+  return {std::move(visible.scene), std::move(exact)};
 }
 
 std::vector<std::optional<int>> resolutions_for(const peers::Peer& peer, const CompareOptions& options) {
@@ -59,10 +57,10 @@ Comparison compared(const CompareOptions& options, Progress& progress) {
   const Scene scene = read_scene(options.input, options.mesh_camera);
   const Camera& camera = options.camera ? camera_named(scene, *options.camera) : scene.cameras.front();
   const Ground ground = ground_of(scene, camera, progress);
-  const peers::FlatScene flat = peers::flat_scene(ground.input.mesh, ground.scene);
+  const peers::FlatScene flat = peers::flat_scene(ground.scene);
   Comparison comparison{scene.file,
                         camera.name,
-                        ground.input.mesh.face_count(),
+                        ground.scene.mesh().face_count(),
                         flat.polygons.size(),
                         ground.exact.areas.size(),
                         options.limit_seconds,

@@ -11,7 +11,7 @@ namespace sightline::cli {
 namespace {
 
 // Around the input's vertices. The halves are added: the sum of two coordinates may be beyond the range of double.
-Ball ball_around(const Mesh& mesh) {
+Ball ball_around(const CutMesh& mesh) {
   if (mesh.vertices.empty()) return {};
   Point3 low = mesh.vertices.front();
   Point3 high = low;
@@ -58,8 +58,8 @@ ReportPage::ReportPage(std::size_t most_triangles) : room_(most_triangles), most
   require_page(PageName::report);
 }
 
-void ReportPage::add_view(const Mesh& mesh, const View& view, const std::vector<Point2>& places,
-                          const std::vector<FaceMeasures>& faces) {
+void ReportPage::add_view(const View& view, const std::vector<Point2>& places, const std::vector<FaceMeasures>& faces) {
+  const CutMesh& mesh = view.scene.mesh();
   const std::size_t all = view.labelled.triangles.size();
   const HeldTriangles held = all <= room_ ? HeldTriangles::all : HeldTriangles::seen;
   const std::size_t count = held == HeldTriangles::all ? all : seen_triangles(view.labelled);
@@ -70,10 +70,10 @@ void ReportPage::add_view(const Mesh& mesh, const View& view, const std::vector<
   }
   room_ -= count;
   held_.push_back(held == HeldTriangles::all ? "all" : "seen");
-  blocks_.push_back(packed(view_block(mesh, view, places, faces, ball_around(mesh), held)));
+  blocks_.push_back(packed(view_block(view, places, faces, ball_around(mesh), held)));
 }
 
-std::string ReportPage::text(const Scene& scene, const Mesh& mesh, const std::vector<Report>& reports,
+std::string ReportPage::text(const Scene& scene, const CutMesh& mesh, const std::vector<Report>& reports,
                              const Coverage& coverage) const {
   const Ball ball = ball_around(mesh);
   const Report content = {{"reports", reports},

@@ -27,12 +27,11 @@ class ReportPage {
  public:
   explicit ReportPage(std::size_t most_triangles = most_page_triangles);
 
-  // places: window_points(view). faces: measure_faces(mesh, view).
-  void add_view(const Mesh& mesh, const View& view, const std::vector<Point2>& places,
-                const std::vector<FaceMeasures>& faces);
+  // places: window_points(view). faces: measure_faces(view).
+  void add_view(const View& view, const std::vector<Point2>& places, const std::vector<FaceMeasures>& faces);
 
   // reports: of the views that were added, in their order.
-  [[nodiscard]] std::string text(const Scene& scene, const Mesh& mesh, const std::vector<Report>& reports,
+  [[nodiscard]] std::string text(const Scene& scene, const CutMesh& mesh, const std::vector<Report>& reports,
                                  const Coverage& coverage) const;
 
  private:

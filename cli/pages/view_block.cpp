@@ -86,7 +86,7 @@ class PolygonArrays {
  public:
   PolygonArrays(const View& view, std::size_t points) : view_(view), points_(points) {}
 
-  void add(const Mesh& mesh, const VisiblePolygon& polygon) {
+  void add(const CutMesh& mesh, const VisiblePolygon& polygon) {
     for (std::size_t r = 0; r < polygon.ring_count; ++r) add_ring(view_.polygons.ring(polygon.first_ring + r));
     rings_.push_back(polygon.ring_count);
     faces_.push_back(polygon.face.value);
@@ -116,7 +116,8 @@ class PolygonArrays {
   std::vector<std::uint8_t> colours_;
 };
 
-void add_polygons(ArrayBlock& block, const Mesh& mesh, const View& view, const std::vector<Point2>& places) {
+void add_polygons(ArrayBlock& block, const View& view, const std::vector<Point2>& places) {
+  const CutMesh& mesh = view.scene.mesh();
   PolygonArrays arrays(view, places.size());
   for (const VisiblePolygon& polygon : view.polygons.polygons) {
     if (!polygon.below_resolution) arrays.add(mesh, polygon);
@@ -155,11 +156,11 @@ void add_faces(ArrayBlock& block, const std::vector<FaceMeasures>& faces, std::s
 
 }  // namespace
 
-std::string view_block(const Mesh& mesh, const View& view, const std::vector<Point2>& places,
-                       const std::vector<FaceMeasures>& faces, const Ball& ball, HeldTriangles held) {
+std::string view_block(const View& view, const std::vector<Point2>& places, const std::vector<FaceMeasures>& faces,
+                       const Ball& ball, HeldTriangles held) {
   ArrayBlock block;
   add_triangles(block, view, ball, held);
-  add_polygons(block, mesh, view, places);
+  add_polygons(block, view, places);
   add_faces(block, faces, view.reflections.panels.size());
   return block.bytes();
 }

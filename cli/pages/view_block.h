@@ -17,7 +17,7 @@
 
 #include "cli/results/face_measures.h"
 #include "geometry/mesh/mesh.h"
-#include "sightline/analyze.h"
+#include "sightline/view.h"
 
 namespace sightline::cli {
 
@@ -30,8 +30,8 @@ struct Ball {
 // Which triangles are in the block.
 enum class HeldTriangles : std::uint8_t { all, seen };
 
-// places: window_points(view). faces: measure_faces(mesh, view).
-[[nodiscard]] std::string view_block(const Mesh& mesh, const View& view, const std::vector<Point2>& places,
+// places: window_points(view). faces: measure_faces(view).
+[[nodiscard]] std::string view_block(const View& view, const std::vector<Point2>& places,
                                      const std::vector<FaceMeasures>& faces, const Ball& ball, HeldTriangles held);
 
 }  // namespace sightline::cli

@@ -9,8 +9,8 @@ namespace sightline::cli {
 
 namespace {
 
-double in_view_area(const Mesh& mesh, const ProjectedScene& scene, FacetId facet) {
-  return fan_area(scene.polygon(facet), [&](const ClippedCorner& corner) { return position_of(mesh, scene, corner); });
+double in_view_area(const ProjectedScene& scene, FacetId facet) {
+  return fan_area(scene.polygon(facet), [&](const ClippedCorner& corner) { return position_of(scene, corner); });
 }
 
 // Twice the area in grid units squared, exactly.
@@ -33,7 +33,8 @@ FaceFacing face_facing(Facing facing) {
   return facing == Facing::back ? FaceFacing::back : FaceFacing::edge_on;
 }
 
-FaceFacing face_facing(const Mesh& mesh, const ProjectedScene& scene, FaceId face) {
+FaceFacing face_facing(const ProjectedScene& scene, FaceId face) {
+  const CutMesh& mesh = scene.mesh();
   const std::size_t first = mesh.first_facet(face);
   const std::size_t end = mesh.end_facet(face);
   if (first == end) return FaceFacing::skipped;
@@ -43,14 +44,15 @@ FaceFacing face_facing(const Mesh& mesh, const ProjectedScene& scene, FaceId fac
   return alike ? face_facing(scene.facing[first]) : FaceFacing::mixed;
 }
 
-FaceMeasures measure_facets(const Mesh& mesh, const ProjectedScene& scene, FaceId face) {
+FaceMeasures measure_facets(const ProjectedScene& scene, FaceId face) {
+  const CutMesh& mesh = scene.mesh();
   FaceMeasures measures;
-  measures.facing = face_facing(mesh, scene, face);
+  measures.facing = face_facing(scene, face);
   Int128 twice_image = 0;
   for (std::size_t i = mesh.first_facet(face); i < mesh.end_facet(face); ++i) {
     const FacetId facet(i);
     measures.area += facet_area(mesh, facet);
-    measures.in_view_area += in_view_area(mesh, scene, facet);
+    measures.in_view_area += in_view_area(scene, facet);
     twice_image += twice_image_area(scene, facet);
   }
   measures.image_area = in_window_units(twice_image, scene.grid_bits);
@@ -96,10 +98,11 @@ const char* to_string(FaceFacing facing) {
   return "";
 }
 
-std::vector<FaceMeasures> measure_faces(const Mesh& mesh, const View& view) {
+std::vector<FaceMeasures> measure_faces(const View& view) {
+  const CutMesh& mesh = view.scene.mesh();
   std::vector<FaceMeasures> faces;
   faces.reserve(mesh.face_count());
-  for (std::size_t f = 0; f < mesh.face_count(); ++f) faces.push_back(measure_facets(mesh, view.scene, FaceId(f)));
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) faces.push_back(measure_facets(view.scene, FaceId(f)));
   for (FaceMeasures& face : faces) face.reflecting_area.resize(view.reflections.panels.size());
   add_triangles(view.labelled, faces);
   add_polygons(view.polygons, faces);

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "geometry/mesh/mesh.h"
-#include "sightline/analyze.h"
+#include "sightline/view.h"
 
 namespace sightline::cli {
 
@@ -35,6 +35,6 @@ struct FaceMeasures {
   std::vector<double> reflecting_area;  // per panel, of its triangles that mirror it into the camera
 };
 
-[[nodiscard]] std::vector<FaceMeasures> measure_faces(const Mesh& mesh, const View& view);
+[[nodiscard]] std::vector<FaceMeasures> measure_faces(const View& view);
 
 }  // namespace sightline::cli

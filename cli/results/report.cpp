@@ -17,7 +17,7 @@ Report as_json(const Vector3& v) { return {v.x, v.y, v.z}; }
 
 Report as_json(const std::optional<double>& value) { return value ? Report(*value) : Report(nullptr); }
 
-Report scene_part(const Scene& scene, const Mesh& mesh) {
+Report scene_part(const Scene& scene, const CutMesh& mesh) {
   return {{"file", scene.file},
           {"mesh", scene.mesh_file},
           {"vertices", mesh.input_vertex_count()},
@@ -45,8 +45,8 @@ const char* to_string(SidesPolicy policy) {
 
 Report sides_part(const ViewAnalysis& analysis) {
   return {{"asked", to_string(analysis.asked.sides)},
-          {"used", analysis.sides.sides == Sides::front ? "front" : "both"},
-          {"reason", analysis.sides.reason}};
+          {"used", analysis.view.sides.sides == Sides::front ? "front" : "both"},
+          {"reason", analysis.view.sides.reason}};
 }
 
 Report face_counts(const std::vector<FaceMeasures>& faces) {
@@ -65,7 +65,7 @@ Report face_counts(const std::vector<FaceMeasures>& faces) {
           {"back_facing", with_label(Label::back_facing)}, {"skipped", skipped}};
 }
 
-Report counts_part(const MeshInput& input, const View& view, const std::vector<FaceMeasures>& faces) {
+Report counts_part(const View& view, const std::vector<FaceMeasures>& faces) {
   const VisiblePolygons& polygons = view.polygons;
   const auto below = std::count_if(polygons.polygons.begin(), polygons.polygons.end(),
                                    [](const VisiblePolygon& polygon) { return polygon.below_resolution; });
@@ -78,7 +78,7 @@ Report counts_part(const MeshInput& input, const View& view, const std::vector<F
           {"below_resolution", below},
           {"holes", polygons.ring_count() - polygons.polygons.size()},
           {"output_triangles", view.labelled.triangles.size()},
-          {"crossing_pairs", crossing_faces(input.mesh).size()}};
+          {"crossing_pairs", crossing_faces(view.mesh()).size()}};
 }
 
 double sum(const std::vector<FaceMeasures>& faces, double FaceMeasures::*area) {
@@ -172,8 +172,8 @@ Report below_resolution_part(const VisiblePolygons& polygons) {
 // total is the sum of the others; read, contacts and cut are shared by all cameras of a scene.
 Report times_part(const MeshInput& input, const StageSeconds& seconds, double write_seconds) {
   Report times = {{"read", input.read_seconds},
-                  {"contacts", input.contacts_seconds},
-                  {"cut", input.cut_seconds},
+                  {"contacts", seconds.contacts},
+                  {"cut", seconds.cut},
                   {"sides", seconds.sides},
                   {"project", seconds.project},
                   {"sweep", seconds.sweep},
@@ -197,12 +197,12 @@ Report predicates_part(const predicates::Counts& counts) {
 Report make_report(const Scene& scene, const MeshInput& input, const ViewAnalysis& analysis,
                    const std::vector<FaceMeasures>& faces, double write_seconds) {
   const View& view = analysis.view;
-  return {{"scene", scene_part(scene, input.mesh)},
+  return {{"scene", scene_part(scene, view.mesh())},
           {"camera", camera_part(view.scene.camera)},
           {"sides", sides_part(analysis)},
           {"precision", {{"arithmetic", to_string(view.scene.arithmetic)}, {"grid_bits", view.scene.grid_bits}}},
           {"engine", analysis.asked.engine == Engine::fast ? "fast" : "full"},
-          {"counts", counts_part(input, view, faces)},
+          {"counts", counts_part(view, faces)},
           {"areas", areas_part(view, faces)},
           {"reflections", reflections_part(scene, view, faces)},
           {"below_resolution", below_resolution_part(view.polygons)},

@@ -16,7 +16,7 @@ namespace sightline::cli {
 
 using Report = nlohmann::ordered_json;
 
-// faces: measure_faces(input.mesh, analysis.view). write_seconds: for the other files.
+// faces: measure_faces(analysis.view). write_seconds: for the other files.
 [[nodiscard]] Report make_report(const Scene& scene, const MeshInput& input, const ViewAnalysis& analysis,
                                  const std::vector<FaceMeasures>& faces, double write_seconds);
 

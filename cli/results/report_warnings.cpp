@@ -20,7 +20,7 @@ std::string counted(std::size_t count, const char* noun) {
 
 }  // namespace
 
-std::vector<std::array<FaceId, 2>> crossing_faces(const Mesh& mesh) {
+std::vector<std::array<FaceId, 2>> crossing_faces(const CutMesh& mesh) {
   const auto face = [&](WholeId whole) { return mesh.facet_face[mesh.cuts.first_facet[whole.index()].index()]; };
   std::vector<std::array<FaceId, 2>> pairs;
   for (const auto& [a, b] : mesh.cuts.crossing) pairs.push_back({face(a), face(b)});

@@ -10,7 +10,7 @@
 namespace sightline::cli {
 
 // Pairs of faces that pass through each other, smaller id first; sorted, distinct. The mesh is cut along common lines.
-[[nodiscard]] std::vector<std::array<FaceId, 2>> crossing_faces(const Mesh& mesh);
+[[nodiscard]] std::vector<std::array<FaceId, 2>> crossing_faces(const CutMesh& mesh);
 
 // Faces with a visible polygon below resolution; sorted, distinct.
 [[nodiscard]] std::vector<FaceId> faces_below_resolution(const VisiblePolygons& polygons);

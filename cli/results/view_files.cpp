@@ -8,15 +8,14 @@
 
 namespace sightline::cli {
 
-void write_view_files(ResultFolders& results, const Mesh& mesh, const View& view,
-                      const std::vector<std::string>& panels, const std::vector<FaceMeasures>& faces,
-                      const std::vector<Point2>& places) {
+void write_view_files(ResultFolders& results, const View& view, const std::vector<std::string>& panels,
+                      const std::vector<FaceMeasures>& faces, const std::vector<Point2>& places) {
   const std::string& name = view.scene.camera.name;
   results.write(name, "faces.csv", [&](TextBuffer& out) { write_faces_table(faces, panels, out); });
   results.write(name, "labelled.ply", [&](TextBuffer& out) { write_labelled_ply(view.labelled, panels, out); });
   results.write(name, "labelled.obj", [&](TextBuffer& out) { write_labelled_obj(view.labelled, panels, out); });
-  results.write(name, "view.svg", [&](TextBuffer& out) { write_view_svg(mesh, view, places, panels, out); });
-  results.write(name, "segments.csv", [&](TextBuffer& out) { write_segments_table(mesh, view, places, out); });
+  results.write(name, "view.svg", [&](TextBuffer& out) { write_view_svg(view, places, panels, out); });
+  results.write(name, "segments.csv", [&](TextBuffer& out) { write_segments_table(view, places, out); });
 }
 
 }  // namespace sightline::cli

@@ -10,13 +10,12 @@
 
 #include "cli/results/face_measures.h"
 #include "cli/system/result_folders.h"
-#include "sightline/analyze.h"
+#include "sightline/view.h"
 
 namespace sightline::cli {
 
 // places: window_points(view).
-void write_view_files(ResultFolders& results, const Mesh& mesh, const View& view,
-                      const std::vector<std::string>& panels, const std::vector<FaceMeasures>& faces,
-                      const std::vector<Point2>& places);
+void write_view_files(ResultFolders& results, const View& view, const std::vector<std::string>& panels,
+                      const std::vector<FaceMeasures>& faces, const std::vector<Point2>& places);
 
 }  // namespace sightline::cli

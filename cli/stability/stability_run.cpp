@@ -6,7 +6,7 @@
 
 #include "cli/system/resources.h"
 #include "oracle/truth/truth.h"
-#include "sightline/analyze.h"
+#include "sightline/analyzer.h"
 #include "sweep/segments/image_points.h"
 
 namespace sightline::cli {
@@ -15,20 +15,15 @@ namespace {
 
 constexpr int timed_repeats = 5;
 
-View view_of(const StabilityScene& scene, Arithmetic arithmetic) {
-  View view;
-  view.scene = project(scene.mesh, scene.camera, Sides::both, {arithmetic, scene.grid_bits});
-  view.segments = plain_sweep(scene.mesh, view.scene);
-  view.polygons = reconstruct_polygons(scene.mesh, view.scene, view.segments);
-  return view;
-}
-
-View timed_view(const StabilityScene& scene, Arithmetic arithmetic, double& seconds) {
-  View view;
+Visibility timed_view(const StabilityScene& scene, Arithmetic arithmetic, double& seconds) {
+  const Analyzer analyzer(
+      uncrossed(scene.mesh),
+      {.sides = SidesPolicy::both, .precision = {arithmetic, scene.grid_bits}, .engine = Engine::full});
+  Visibility view;
   seconds = std::numeric_limits<double>::infinity();
   for (int i = 0; i < timed_repeats; ++i) {
     const Stopwatch watch;
-    view = view_of(scene, arithmetic);
+    view = analyzer.visible(scene.camera);
     seconds = std::min(seconds, watch.seconds());
   }
   return view;
@@ -39,20 +34,19 @@ std::string first_of(const char* stage, const std::vector<std::string>& messages
 }
 
 // Each stage is looked at only where those before it are valid.
-std::string broken_invariant(const Mesh& mesh, View& view) {
+std::string broken_invariant(const Visibility& view) {
   std::string broken = first_of("scene", validate(view.scene));
   if (broken.empty()) broken = first_of("segments", validate(view.segments, view.scene));
-  if (broken.empty()) broken = first_of("polygons", validate(view.polygons, mesh, view.scene, view.segments));
+  if (broken.empty()) broken = first_of("polygons", validate(view.polygons, view.scene, view.segments));
   if (!broken.empty()) return broken;
-  view.labelled = label_mesh(mesh, view.scene, view.segments, view.polygons);
-  return first_of("labelled", validate(view.labelled, mesh, view.scene));
+  return first_of("labelled", validate(label_mesh(view.scene, view.segments, view.polygons), view.scene));
 }
 
 oracle::Rational window_units(const Wide512& numerator, const Wide512& denominator, int grid_bits) {
   return {BigInteger(numerator), BigInteger(denominator) << static_cast<unsigned>(grid_bits)};
 }
 
-std::vector<oracle::Claim> claims_of(const View& view) {
+std::vector<oracle::Claim> claims_of(const Visibility& view) {
   const ImagePoints points(view.scene, view.segments);
   std::vector<oracle::Claim> claims;
   for (const VisiblePolygon& polygon : view.polygons.polygons) {
@@ -72,7 +66,7 @@ std::vector<oracle::Claim> claims_of(const View& view) {
 
 double part_of_window(const oracle::Rational& area) { return oracle::Rational(area / 4).convert_to<double>(); }
 
-void compare_with_truth(const StabilityScene& scene, const View& view, StabilityRun& run) {
+void compare_with_truth(const StabilityScene& scene, const Visibility& view, StabilityRun& run) {
   const oracle::Comparison comparison = oracle::compare(scene.mesh, scene.camera, Sides::both, claims_of(view));
   std::vector<oracle::Rational> areas(scene.mesh.face_count());
   for (std::size_t p = 0; p < view.polygons.polygons.size(); ++p) {
@@ -111,12 +105,13 @@ StabilityRun run_stability(const StabilityFamily& family, double value, Arithmet
   run.arithmetic = arithmetic;
   run.grid_bits = scene.grid_bits;
   run.faces = scene.mesh.face_count();
-  run.grid_bound = grid_bound(project(scene.mesh, scene.camera, Sides::both, {Arithmetic::exact, scene.grid_bits}));
+  run.grid_bound =
+      grid_bound(project(uncrossed(scene.mesh), scene.camera, Sides::both, {Arithmetic::exact, scene.grid_bits}));
   try {
-    View view = timed_view(scene, arithmetic, run.seconds);
+    const Visibility view = timed_view(scene, arithmetic, run.seconds);
     run.finished = true;
     compare_with_truth(scene, view, run);
-    run.broken = broken_invariant(scene.mesh, view);
+    run.broken = broken_invariant(view);
   } catch (const ArithmeticError& error) {
     run.broken = error.broken();
   } catch (const InternalError& error) {

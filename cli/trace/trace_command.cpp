@@ -28,11 +28,7 @@ struct Traced {
   std::string file;  // for messages
   std::string title;
   std::string what;
-  Mesh mesh;
-  Camera camera;
-  Sides sides = Sides::both;
-  trace::SceneNames names;
-  Precision precision;
+  trace::TracedView view;
 };
 
 std::string list_of_examples() {
@@ -47,29 +43,32 @@ Traced of_scene_file(const TraceOptions& options) {
   const Camera& camera = options.camera ? camera_named(scene, *options.camera) : only_camera(scene);
   Progress silent(false);
   MeshInput input = read_mesh(scene.mesh_file, Normals::passed_over, default_memory_limit(), silent);
-  const Sides sides = decide_sides(input.mesh, input.contacts, camera, options.sides.value_or(scene.sides)).sides;
-  return {scene.file, scene.file, "", std::move(input.mesh), camera, sides, {}, {}};
+  const Analyzer analyzer(std::move(input.mesh), {.sides = options.sides.value_or(scene.sides)});
+  return {scene.file, scene.file, "", {analyzer.shared_mesh(), camera, analyzer.sides(camera).sides, {}, {}}};
 }
 
 Traced of_example(const std::string& name) {
   const TraceExample& example = *trace_example_named(name);
   TraceScene scene = example.make();
-  return {example.name, example.title, example.what,           std::move(scene.mesh),
-          scene.camera, Sides::both,   std::move(scene.names), scene.precision};
+  return {example.name,
+          example.title,
+          example.what,
+          {std::make_shared<const CutMesh>(std::move(scene.mesh)), scene.camera, Sides::both, scene.precision,
+           std::move(scene.names)}};
 }
 
 // Points that are in view and crossings: what a smaller view has fewer of.
 trace::SweepLog log_of(const Traced& traced, const Precision& precision) {
-  ProjectedScene scene = project(traced.mesh, traced.camera, traced.sides, precision);
-  const std::size_t points = scene.points.size();
+  trace::TracedView view = traced.view;
+  view.precision = precision;
   try {
-    return trace::trace_sweep(traced.mesh, std::move(scene), traced.names);
-  } catch (const trace::TooManySteps&) {
+    return trace::trace_sweep(view);
+  } catch (const trace::TooManySteps& error) {
     throw InputError(traced.file, 0,
                      fmt::format("camera '{}' has {} points in view, and with the crossings of their edges more than "
                                  "the {} sweep points that a trace has room for; crop: give a camera a narrower fov_y "
                                  "(or a smaller orthographic_height), or take a smaller mesh",
-                                 traced.camera.name, points, trace::most_traced_points));
+                                 view.camera.name, error.points_in_view(), trace::most_traced_points));
   }
 }
 
@@ -118,9 +117,9 @@ std::string trace_command(const TraceOptions& options) {
   if (options.list) return list_of_examples();
   if (options.output) require_page(PageName::trace);
   const Traced traced = options.example ? of_example(*options.example) : of_scene_file(options);
-  const std::vector<trace::SweepLog> logs = logs_of(traced, options.precision.value_or(traced.precision));
+  const std::vector<trace::SweepLog> logs = logs_of(traced, options.precision.value_or(traced.view.precision));
   const std::string json =
-      text_of(sweep_logs_json({traced.title, traced.what, traced.camera.name, traced.camera.aspect}, logs));
+      text_of(sweep_logs_json({traced.title, traced.what, traced.view.camera.name, traced.view.camera.aspect}, logs));
   if (options.log) write_file(*options.log, json);
   if (options.output) write_file(*options.output, page_with_data(PageName::trace, packed(json)));
   return summary_of(logs, options);

@@ -135,7 +135,10 @@ TraceScene float_in(const char* family_name, double value) {
   const auto family = std::find_if(all.begin(), all.end(), [&](const auto& f) { return f.name == family_name; });
   StabilityScene scene = family->make(value);
   trace::SceneNames names = letters_for(scene.mesh);
-  return {std::move(scene.mesh), scene.camera, std::move(names), {Arithmetic::single_precision, scene.grid_bits}};
+  return {uncrossed(std::move(scene.mesh)),
+          scene.camera,
+          std::move(names),
+          {Arithmetic::single_precision, scene.grid_bits}};
 }
 
 TraceScene float_is_wrong() { return float_in("depth_gap", std::ldexp(1.0, -30)); }

@@ -16,7 +16,7 @@
 namespace sightline::cli {
 
 struct TraceScene {
-  Mesh mesh;
+  CutMesh mesh;
   Camera camera;
   trace::SceneNames names;
   Precision precision;

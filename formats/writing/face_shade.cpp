@@ -24,7 +24,7 @@ Vector3 normalised(const Vector3& v) {
 }
 
 // Newell's normal: corners may lie on one line with their neighbours.
-Vector3 facet_normal(const Mesh& mesh, FacetId facet) {
+Vector3 facet_normal(const CutMesh& mesh, FacetId facet) {
   const auto corners = mesh.corners(facet);
   const Point3& first = mesh.position(corners[0]);
   Vector3 normal;
@@ -53,7 +53,7 @@ Colour mixed(const Ramp& ramp, double share, double factor) {
 
 }  // namespace
 
-FaceShade face_shade(const Mesh& mesh, const Camera& camera, FacetId facet, Facing facing) {
+FaceShade face_shade(const CutMesh& mesh, const Camera& camera, FacetId facet, Facing facing) {
   const Vector3 normal = facet_normal(mesh, facet);
   const double share = brightness(facing == Facing::back ? -1.0 * normal : normal, camera);
   const Ramp& ramp = facing == Facing::back ? back_ramp : front_ramp;

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-#include "geometry/mesh/mesh.h"
+#include "geometry/mesh/cut_mesh.h"
 #include "geometry/projection/camera.h"
 #include "geometry/projection/projected_scene.h"
 
@@ -18,6 +18,6 @@ struct FaceShade {
 };
 
 // Fronts are blue, backs are sand-coloured.
-[[nodiscard]] FaceShade face_shade(const Mesh& mesh, const Camera& camera, FacetId facet, Facing facing);
+[[nodiscard]] FaceShade face_shade(const CutMesh& mesh, const Camera& camera, FacetId facet, Facing facing);
 
 }  // namespace sightline::inline formats

@@ -9,24 +9,26 @@ namespace sightline::inline formats {
 namespace {
 
 // The mesh edge of the face that lies on the scene edge; invalid where there is none.
-MeshEdgeId edge_of_face(const Mesh& mesh, const ProjectedScene& scene, EdgeId edge, FaceId face) {
+MeshEdgeId edge_of_face(const ProjectedScene& scene, EdgeId edge, FaceId face) {
+  const CutMesh& mesh = scene.mesh();
   for (const EdgeSide& side : scene.sides_of(edge)) {
     if (mesh.facet_face[side.facet.index()] == face && side.mesh_edge.valid()) return side.mesh_edge;
   }
   return {};
 }
 
-FaceId face_of(const Mesh& mesh, FacetId facet) { return facet.valid() ? mesh.facet_face[facet.index()] : FaceId{}; }
+FaceId face_of(const CutMesh& mesh, FacetId facet) { return facet.valid() ? mesh.facet_face[facet.index()] : FaceId{}; }
 
 // Of the segment's own face first, else of the face on its right.
-MeshEdgeId edge_under(const Mesh& mesh, const ProjectedScene& scene, const VisibleSegment& segment) {
-  const MeshEdgeId own = edge_of_face(mesh, scene, segment.edge, face_of(mesh, segment.facet));
+MeshEdgeId edge_under(const ProjectedScene& scene, const VisibleSegment& segment) {
+  const CutMesh& mesh = scene.mesh();
+  const MeshEdgeId own = edge_of_face(scene, segment.edge, face_of(mesh, segment.facet));
   if (own.valid() || !segment.other.valid()) return own;
-  return edge_of_face(mesh, scene, segment.edge, face_of(mesh, segment.other));
+  return edge_of_face(scene, segment.edge, face_of(mesh, segment.other));
 }
 
 // By its ends. A piece of an edge of the input is named as that edge is.
-void write_edge(const Mesh& mesh, MeshEdgeId edge, TextBuffer& out) {
+void write_edge(const CutMesh& mesh, MeshEdgeId edge, TextBuffer& out) {
   if (!edge.valid()) {
     out << "border";
     return;
@@ -42,13 +44,14 @@ void write_edge(const Mesh& mesh, MeshEdgeId edge, TextBuffer& out) {
 
 }  // namespace
 
-void write_segments_table(const Mesh& mesh, const View& view, const std::vector<Point2>& places, TextBuffer& out) {
+void write_segments_table(const View& view, const std::vector<Point2>& places, TextBuffer& out) {
+  const CutMesh& mesh = view.scene.mesh();
   const PlaceTexts texts(places);
   out << "face,start_x,start_y,end_x,end_y,edge,other_face\n";
   for (const VisibleSegment& segment : view.segments.segments) {
     out << face_of(mesh, segment.facet).value << ',' << texts.x(segment.start) << ',' << texts.y(segment.start) << ','
         << texts.x(segment.end) << ',' << texts.y(segment.end) << ',';
-    write_edge(mesh, edge_under(mesh, view.scene, segment), out);
+    write_edge(mesh, edge_under(view.scene, segment), out);
     out << ',';
     if (segment.other.valid()) out << face_of(mesh, segment.other).value;
     out << '\n';

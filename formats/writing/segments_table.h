@@ -9,12 +9,12 @@
 #include <vector>
 
 #include "formats/writing/text_buffer.h"
-#include "geometry/mesh/mesh.h"
-#include "sightline/analyze.h"
+#include "geometry/mesh/cut_mesh.h"
+#include "sightline/view.h"
 
 namespace sightline::inline formats {
 
 // places: window_points(view).
-void write_segments_table(const Mesh& mesh, const View& view, const std::vector<Point2>& places, TextBuffer& out);
+void write_segments_table(const View& view, const std::vector<Point2>& places, TextBuffer& out);
 
 }  // namespace sightline::inline formats

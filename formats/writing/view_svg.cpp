@@ -61,8 +61,9 @@ void write_names(FaceId face, std::size_t occurrence, Facing facing, TextBuffer&
   out << "\" class=\"" << (facing == Facing::back ? "back" : "front") << "\" data-face=\"" << face.value << '"';
 }
 
-void write_polygon(const Mesh& mesh, const View& view, const VisiblePolygon& polygon, std::size_t occurrence,
-                   const PlaceTexts& places, TextBuffer& out) {
+void write_polygon(const View& view, const VisiblePolygon& polygon, std::size_t occurrence, const PlaceTexts& places,
+                   TextBuffer& out) {
+  const CutMesh& mesh = view.scene.mesh();
   const Facing facing = view.scene.facing[polygon.facet.index()];
   const FaceShade shade = face_shade(mesh, view.scene.camera, polygon.facet, facing);
   write_names(polygon.face, occurrence, facing, out);
@@ -141,12 +142,12 @@ void write_panel(const View& view, const std::string& name, std::size_t number, 
 
 }  // namespace
 
-void write_view_svg(const Mesh& mesh, const View& view, const std::vector<Point2>& places,
-                    const std::vector<std::string>& panels, TextBuffer& out) {
+void write_view_svg(const View& view, const std::vector<Point2>& places, const std::vector<std::string>& panels,
+                    TextBuffer& out) {
   const PlaceTexts texts(places);
   out << header(view.scene.camera, view.polygons.polygons.size());
   for_each_polygon(view.polygons, [&](const VisiblePolygon& polygon, std::size_t occurrence) {
-    write_polygon(mesh, view, polygon, occurrence, texts, out);
+    write_polygon(view, polygon, occurrence, texts, out);
   });
   for (std::size_t p = 0; p < panels.size(); ++p) write_panel(view, panels[p], p, texts, out);
   out << "</g>\n</svg>\n";

@@ -10,13 +10,13 @@
 #include <vector>
 
 #include "formats/writing/text_buffer.h"
-#include "geometry/mesh/mesh.h"
-#include "sightline/analyze.h"
+#include "geometry/mesh/cut_mesh.h"
+#include "sightline/view.h"
 
 namespace sightline::inline formats {
 
 // places: window_points(view). panels: the names of all panels; none: without their layers.
-void write_view_svg(const Mesh& mesh, const View& view, const std::vector<Point2>& places,
-                    const std::vector<std::string>& panels, TextBuffer& out);
+void write_view_svg(const View& view, const std::vector<Point2>& places, const std::vector<std::string>& panels,
+                    TextBuffer& out);
 
 }  // namespace sightline::inline formats

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "sightline/analyze.h"
+#include "sightline/view.h"
 
 namespace sightline::inline formats {
 

@@ -46,9 +46,10 @@ std::vector<CrossedFacet> crossed_facets(const Mesh& mesh, const MeshContacts& c
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
   std::vector<CrossedFacet> facets;
   for (const FacetId f : ids) {
-    const auto [a, b, c] = plane_corners(mesh, f);
+    const auto [a, b, c] = plane_corners(mesh, mesh.corners(f));
     facets.push_back({f,
-                      plane_through(exact_position(mesh, a), exact_position(mesh, b), exact_position(mesh, c)),
+                      plane_through(exact_position(mesh.position(a)), exact_position(mesh.position(b)),
+                                    exact_position(mesh.position(c))),
                       whole_polygon(mesh, f),
                       fingerprint(mesh, f),
                       {}});
@@ -136,7 +137,7 @@ struct NumberedPolygon {
 };
 
 // The welding of the input, continued for the vertices that cutting made: their ranks are those of exact positions.
-Welding extended(Welding welding, const Mesh& mesh) {
+Welding extended(Welding welding, const CutMesh& mesh) {
   for (std::size_t v = mesh.input_vertex_count(); v < mesh.vertices.size(); ++v) {
     welding.weld.emplace_back(v);
     welding.by_rank.emplace_back(v);
@@ -157,9 +158,9 @@ Welding extended(Welding welding, const Mesh& mesh) {
 }
 
 // Builds the mesh of the pieces.
-class CutMesh {
+class Cutting {
  public:
-  CutMesh(const Mesh& mesh, const MeshContacts& contacts)
+  Cutting(const Mesh& mesh, const MeshContacts& contacts)
       : mesh_(mesh), welding_(weld_vertices(mesh.vertices)), vertices_(mesh, welding_), pieces_(mesh.facet_count()) {
     const CrossedFacets crossed(mesh, contacts);
     for (std::size_t i = 0; i < crossed.size(); ++i) {
@@ -169,7 +170,7 @@ class CutMesh {
       result_.cuts.crossing.push_back({WholeId(f.index()), WholeId(g.index())});
   }
 
-  Mesh build() {
+  CutMesh build() {
     copy_what_stays();
     add_vertices();
     welding_ = extended(std::move(welding_), result_);
@@ -269,16 +270,16 @@ class CutMesh {
   CutVertices vertices_;
   std::vector<std::vector<NumberedPolygon>> pieces_;  // per facet of the input; empty where it crosses none
   std::vector<MeshEdgeId> edge_of_corner_;            // parallel to the result's corners: the input's edge after it
-  Mesh result_;
+  CutMesh result_;
 };
 
 }  // namespace
 
-Mesh cut_along_common_lines(Mesh mesh, const MeshContacts& contacts) {
-  return contacts.crossing.empty() ? std::move(mesh) : CutMesh(mesh, contacts).build();
+CutMesh cut_along_common_lines(Mesh mesh, const MeshContacts& contacts) {
+  return contacts.crossing.empty() ? uncrossed(std::move(mesh)) : Cutting(mesh, contacts).build();
 }
 
-Mesh without_cuts(const Mesh& mesh) {
+Mesh without_cuts(const CutMesh& mesh) {
   const auto end = mesh.vertices.begin() + static_cast<std::ptrdiff_t>(mesh.input_vertex_count());
   return build_mesh({mesh.vertices.begin(), end}, mesh.faces);
 }

@@ -1,8 +1,8 @@
 // Facets that pass through each other, cut along their common lines.
 //
 // In:  a mesh and its contacts (interpenetration.h).
-// Out: a mesh with the same faces whose facets no longer pass through each other, so that any two have one order in depth
-//      wherever they overlap. Where nothing crosses it is the mesh as given. What it was cut from is in Mesh::cuts.
+// Out: a CutMesh with the same faces whose facets no longer pass through each other, so that any two have one order in depth
+//      wherever they overlap. Where nothing crosses it is the mesh as given. What it was cut from is in CutMesh::cuts.
 // Holds: faces and the input's vertices keep their numbers; the vertices that cutting makes follow them. What cuts a
 //      mesh edge cuts it for all facets on it; what cuts a common line cuts it for both facets that meet there: no
 //      vertex lies inside an edge that runs along the line it was made on.
@@ -15,13 +15,13 @@
 #pragma once
 
 #include "geometry/cutting/interpenetration.h"
-#include "geometry/mesh/mesh.h"
+#include "geometry/mesh/cut_mesh.h"
 
 namespace sightline::inline geometry {
 
-[[nodiscard]] Mesh cut_along_common_lines(Mesh mesh, const MeshContacts& contacts);
+[[nodiscard]] CutMesh cut_along_common_lines(Mesh mesh, const MeshContacts& contacts);
 
 // The mesh before it was cut.
-[[nodiscard]] Mesh without_cuts(const Mesh& mesh);
+[[nodiscard]] Mesh without_cuts(const CutMesh& mesh);
 
 }  // namespace sightline::inline geometry

@@ -88,15 +88,24 @@ class Partition {
   std::vector<Node> nodes_;
 };
 
-}  // namespace
-
-CutPolygon whole_polygon(const Mesh& mesh, FacetId facet) {
+template <class Position>
+CutPolygon polygon_of(const PolygonMesh& mesh, FacetId facet, Position position) {
   CutPolygon polygon;
   const auto corners = mesh.corners(facet);
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    polygon.push_back({exact_position(mesh, corners[i]), corners[i], mesh.edges_of(facet)[i]});
+    polygon.push_back({position(corners[i]), corners[i], mesh.edges_of(facet)[i]});
   }
   return polygon;
+}
+
+}  // namespace
+
+CutPolygon whole_polygon(const Mesh& mesh, FacetId facet) {
+  return polygon_of(mesh, facet, [&](VertexId v) { return exact_position(mesh.position(v)); });
+}
+
+CutPolygon whole_polygon(const CutMesh& mesh, FacetId facet) {
+  return polygon_of(mesh, facet, [&](VertexId v) { return exact_position(mesh, v); });
 }
 
 CutPolygon part_in_front(const CutPolygon& polygon, const ExactPlane& plane) {

@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-#include "geometry/mesh/mesh.h"
+#include "geometry/mesh/cut_mesh.h"
 #include "geometry/numbers/exact_position.h"
 
 namespace sightline::inline geometry {
@@ -36,6 +36,7 @@ struct CutCorner {
 using CutPolygon = std::vector<CutCorner>;
 
 [[nodiscard]] CutPolygon whole_polygon(const Mesh& mesh, FacetId facet);
+[[nodiscard]] CutPolygon whole_polygon(const CutMesh& mesh, FacetId facet);
 
 // The part of a convex polygon in front of a plane; empty where it has nothing strictly in front.
 [[nodiscard]] CutPolygon part_in_front(const CutPolygon& polygon, const ExactPlane& plane);

@@ -11,7 +11,7 @@ namespace {
 // The facets with their corners welded.
 class WeldedFacets {
  public:
-  explicit WeldedFacets(const Mesh& mesh) : mesh_(mesh), corners_(mesh.facets.corners) {
+  explicit WeldedFacets(const PolygonMesh& mesh) : mesh_(mesh), corners_(mesh.facets.corners) {
     for (VertexId& corner : corners_) corner = mesh.weld[corner.index()];
   }
 
@@ -21,18 +21,18 @@ class WeldedFacets {
   }
 
  private:
-  const Mesh& mesh_;
+  const PolygonMesh& mesh_;
   std::vector<VertexId> corners_;
 };
 
-Box box_of(const Mesh& mesh, FacetId f) {
+Box box_of(const PolygonMesh& mesh, FacetId f) {
   const Point3& first = mesh.position(mesh.corners(f).front());
   Box box{first, first};
   for (const VertexId corner : mesh.corners(f)) box = hull(box, {mesh.position(corner), mesh.position(corner)});
   return box;
 }
 
-std::vector<Box> facet_boxes(const Mesh& mesh) {
+std::vector<Box> facet_boxes(const PolygonMesh& mesh) {
   std::vector<Box> boxes;
   boxes.reserve(mesh.facet_count());
   for (std::size_t f = 0; f < mesh.facet_count(); ++f) boxes.push_back(box_of(mesh, FacetId(f)));
@@ -41,7 +41,7 @@ std::vector<Box> facet_boxes(const Mesh& mesh) {
 
 }  // namespace
 
-MeshContacts find_contacts(const Mesh& mesh) {
+MeshContacts find_contacts(const PolygonMesh& mesh) {
   const WeldedFacets facets(mesh);
   MeshContacts contacts;
   for_each_overlapping_pair(build_hierarchy(facet_boxes(mesh)), [&](std::uint32_t i, std::uint32_t j) {

@@ -21,6 +21,6 @@ struct MeshContacts {
   std::vector<std::array<FacetId, 2>> touching;  // pairs that meet without crossing; sorted
 };
 
-[[nodiscard]] MeshContacts find_contacts(const Mesh& mesh);
+[[nodiscard]] MeshContacts find_contacts(const PolygonMesh& mesh);
 
 }  // namespace sightline::inline geometry

@@ -12,14 +12,14 @@
 #include <span>
 #include <vector>
 
-#include "geometry/mesh/mesh.h"
+#include "geometry/mesh/cut_mesh.h"
 
 namespace sightline::inline geometry {
 
 class LinePoints {
  public:
   // The mesh has all vertices, those that cutting made included.
-  explicit LinePoints(const Mesh& mesh) : mesh_(mesh) {}
+  explicit LinePoints(const CutMesh& mesh) : mesh_(mesh) {}
 
   // `edge` is invalid for an edge on a common line.
   void add(MeshEdgeId edge, VertexId from, VertexId to);
@@ -36,7 +36,7 @@ class LinePoints {
   [[nodiscard]] Plucker line_through(VertexId from, VertexId to) const;
   [[nodiscard]] const std::vector<VertexId>* find(MeshEdgeId edge, VertexId from, VertexId to) const;
 
-  const Mesh& mesh_;
+  const CutMesh& mesh_;
   std::map<MeshEdgeId, std::vector<VertexId>> on_mesh_edge_;
   std::map<Plucker, std::vector<VertexId>> on_common_line_;
 };

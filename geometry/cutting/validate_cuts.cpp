@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <map>
 
+#include "geometry/cutting/common_lines.h"
 #include "geometry/cutting/facet_cutter.h"
 #include "geometry/mesh/facet_plane.h"
+#include "geometry/mesh/validate_facets.h"
 #include "geometry/numbers/id_names.h"
 
 namespace sightline::inline geometry {
@@ -14,7 +16,7 @@ using Messages = std::vector<std::string>;
 
 class CutsCheck {
  public:
-  CutsCheck(const Mesh& mesh, Messages& messages) : mesh_(mesh), cuts_(mesh.cuts), messages_(messages) {}
+  CutsCheck(const CutMesh& mesh, Messages& messages) : mesh_(mesh), cuts_(mesh.cuts), messages_(messages) {}
 
   void run() {
     check_sizes();
@@ -124,13 +126,32 @@ class CutsCheck {
     return polygon;
   }
 
-  const Mesh& mesh_;
+  const CutMesh& mesh_;
   const FacetCuts& cuts_;
   Messages& messages_;
 };
 
+// An uncut mesh as the Mesh it was.
+Mesh as_given(const PolygonMesh& mesh) {
+  Mesh given;
+  static_cast<PolygonMesh&>(given) = mesh;
+  return given;
+}
+
 }  // namespace
 
-void check_cuts(const Mesh& mesh, std::vector<std::string>& messages) { CutsCheck(mesh, messages).run(); }
+void check_cuts(const CutMesh& mesh, std::vector<std::string>& messages) { CutsCheck(mesh, messages).run(); }
+
+// What is said of positions holds of the mesh before it was cut; of the pieces it holds exactly, and of the numbering for
+// both.
+std::vector<std::string> validate(const CutMesh& mesh) {
+  if (!mesh.is_cut()) return validate(as_given(mesh));
+  Messages messages = check_arrays(mesh);
+  if (messages.empty()) messages = validate(without_cuts(mesh));
+  if (messages.empty()) check_facet_edges(mesh, messages);
+  if (messages.empty()) check_numbering(mesh, messages);
+  if (messages.empty()) check_cuts(mesh, messages);
+  return messages;
+}
 
 }  // namespace sightline::inline geometry

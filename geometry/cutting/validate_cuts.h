@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "geometry/mesh/mesh.h"
+#include "geometry/mesh/cut_mesh.h"
 
 namespace sightline::inline geometry {
 
-void check_cuts(const Mesh& mesh, std::vector<std::string>& messages);
+void check_cuts(const CutMesh& mesh, std::vector<std::string>& messages);
 
 }  // namespace sightline::inline geometry

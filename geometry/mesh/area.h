@@ -19,7 +19,7 @@ double fan_area(const Corners& corners, Position position) {
   return area;
 }
 
-inline double facet_area(const Mesh& mesh, FacetId facet) {
+inline double facet_area(const PolygonMesh& mesh, FacetId facet) {
   return fan_area(mesh.corners(facet), [&](VertexId v) { return mesh.position(v); });
 }
 

@@ -29,7 +29,7 @@ class DisjointFacets {
   std::vector<std::uint32_t> parent_;
 };
 
-DisjointFacets connect_by_edges(const Mesh& mesh) {
+DisjointFacets connect_by_edges(const PolygonMesh& mesh) {
   DisjointFacets sets(mesh.facet_count());
   std::vector<FacetId> first_of_edge(mesh.edges.size());
   for (std::size_t f = 0; f < mesh.facet_count(); ++f) {
@@ -44,7 +44,7 @@ DisjointFacets connect_by_edges(const Mesh& mesh) {
 
 // Calls visit(a, b, c) with the triangles of a fan over each facet.
 template <class Visit>
-void for_each_triangle(const Mesh& mesh, std::span<const FacetId> component, Visit visit) {
+void for_each_triangle(const PolygonMesh& mesh, std::span<const FacetId> component, Visit visit) {
   for (const FacetId f : component) {
     const auto corners = mesh.corners(f);
     for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
@@ -86,7 +86,7 @@ class VolumeEstimate {
   double count_ = 0;
 };
 
-int lowest_exponent(const Mesh& mesh, std::span<const FacetId> component) {
+int lowest_exponent(const PolygonMesh& mesh, std::span<const FacetId> component) {
   std::vector<double> coordinates;
   for_each_triangle(mesh, component, [&](const Point3& a, const Point3& b, const Point3& c) {
     coordinates.insert(coordinates.end(), {a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z});
@@ -94,7 +94,7 @@ int lowest_exponent(const Mesh& mesh, std::span<const FacetId> component) {
   return exponent_range(coordinates).lowest;
 }
 
-Sign exact_volume_sign(const Mesh& mesh, std::span<const FacetId> component) {
+Sign exact_volume_sign(const PolygonMesh& mesh, std::span<const FacetId> component) {
   const int lowest = lowest_exponent(mesh, component);
   const auto integers = [lowest](const Point3& p) { return scaled<BigInteger>(std::array{p.x, p.y, p.z}, lowest); };
   BigInteger sum = 0;
@@ -107,14 +107,14 @@ Sign exact_volume_sign(const Mesh& mesh, std::span<const FacetId> component) {
   return sign_of(sum);
 }
 
-ConvexFacet facet_of(const Mesh& mesh, FacetId f) { return {mesh, f, mesh.corners(f)}; }
+ConvexFacet facet_of(const PolygonMesh& mesh, FacetId f) { return {mesh, f, mesh.corners(f)}; }
 
 bool lies_on(const Point3& p, const ConvexFacet& facet) {
   const FacetPlane plane = plane_of(facet);
   return side_of(plane, p) == 0 && place_of_point(facet, projection_axis(plane), p) != Place::outside;
 }
 
-bool box_contains(const Point3& p, const Mesh& mesh, std::span<const FacetId> component) {
+bool box_contains(const Point3& p, const PolygonMesh& mesh, std::span<const FacetId> component) {
   const Point3& first = mesh.position(mesh.corners(component.front()).front());
   Box box{first, first};
   for_each_triangle(mesh, component, [&](const Point3& a, const Point3& b, const Point3& c) {
@@ -137,7 +137,7 @@ std::optional<bool> crosses(const Point3& p, const Vector3& direction, const Con
 }
 
 // Whether the ray crosses the component an odd number of times; nullopt where it meets an edge.
-std::optional<bool> crosses_oddly(const Point3& p, const Vector3& direction, const Mesh& mesh,
+std::optional<bool> crosses_oddly(const Point3& p, const Vector3& direction, const PolygonMesh& mesh,
                                   std::span<const FacetId> component) {
   bool odd = false;
   for (const FacetId f : component) {
@@ -150,7 +150,7 @@ std::optional<bool> crosses_oddly(const Point3& p, const Vector3& direction, con
 
 }  // namespace
 
-std::vector<Component> components(const Mesh& mesh) {
+std::vector<Component> components(const PolygonMesh& mesh) {
   DisjointFacets sets = connect_by_edges(mesh);
   std::vector<Component> result;
   std::vector<std::size_t> component_of(mesh.facet_count());
@@ -165,7 +165,7 @@ std::vector<Component> components(const Mesh& mesh) {
 
 // Six times the volume is the sum of det(a - o, b - o, c - o) over the triangles: the same for every origin o where the
 // component is closed.
-Sign volume_sign(const Mesh& mesh, std::span<const FacetId> component) {
+Sign volume_sign(const PolygonMesh& mesh, std::span<const FacetId> component) {
   const Point3& origin = mesh.position(mesh.corners(component.front()).front());
   VolumeEstimate estimate;
   for_each_triangle(mesh, component, [&](const Point3& a, const Point3& b, const Point3& c) {
@@ -179,7 +179,7 @@ Sign volume_sign(const Mesh& mesh, std::span<const FacetId> component) {
 // directions (1, k, k^2) have at most two in any plane through the origin; so at most two values of k fail for the
 // plane of each facet and for the plane through p and each edge (a facet that has p on the line of an edge has p in its
 // plane), and the search ends.
-Location location_of(const Point3& p, const Mesh& mesh, std::span<const FacetId> component) {
+Location location_of(const Point3& p, const PolygonMesh& mesh, std::span<const FacetId> component) {
   if (!box_contains(p, mesh, component)) return Location::outside;
   if (std::any_of(component.begin(), component.end(), [&](FacetId f) { return lies_on(p, facet_of(mesh, f)); })) {
     return Location::on_surface;

@@ -50,7 +50,7 @@ class SeenSides {
 }  // namespace
 
 FacetPlane plane_of(const ConvexFacet& facet) {
-  const auto [a, b, c] = plane_corners(facet.mesh, facet.id);
+  const auto [a, b, c] = plane_corners(facet.mesh, facet.mesh.corners(facet.id));
   return {facet.mesh.position(a), facet.mesh.position(b), facet.mesh.position(c)};
 }
 

@@ -14,7 +14,7 @@
 namespace sightline::inline geometry {
 
 struct ConvexFacet {
-  const Mesh& mesh;
+  const PolygonMesh& mesh;
   FacetId id;
   std::span<const VertexId> corners;  // where facets are compared: welded, so that equal positions have equal ids
 

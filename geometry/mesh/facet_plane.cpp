@@ -2,9 +2,7 @@
 
 namespace sightline::inline geometry {
 
-std::array<VertexId, 3> plane_corners(const Mesh& mesh, FacetId facet) {
-  const auto corners =
-      mesh.is_cut() ? mesh.cuts.wholes[mesh.cuts.whole_of[facet.index()].index()] : mesh.corners(facet);
+std::array<VertexId, 3> plane_corners(const PolygonMesh& mesh, std::span<const VertexId> corners) {
   std::size_t third = 2;
   if (corners.size() == 3) return {corners[0], corners[1], corners[2]};
   while (third + 1 < corners.size() &&
@@ -14,7 +12,12 @@ std::array<VertexId, 3> plane_corners(const Mesh& mesh, FacetId facet) {
   return {corners[0], corners[1], corners[third]};
 }
 
-Sign side_of_plane(const Mesh& mesh, FacetId facet, const HomogeneousPoint& p) {
+std::array<VertexId, 3> plane_corners(const CutMesh& mesh, FacetId facet) {
+  return plane_corners(
+      mesh, mesh.is_cut() ? mesh.cuts.wholes[mesh.cuts.whole_of[facet.index()].index()] : mesh.corners(facet));
+}
+
+Sign side_of_plane(const CutMesh& mesh, FacetId facet, const HomogeneousPoint& p) {
   const auto [a, b, c] = plane_corners(mesh, facet);
   return orient3d(mesh.position(a), mesh.position(b), mesh.position(c), p);
 }

@@ -3,21 +3,24 @@
 
 #include <array>
 
-#include "geometry/mesh/mesh.h"
+#include "geometry/mesh/cut_mesh.h"
 #include "geometry/numbers/predicates.h"
 
 namespace sightline::inline geometry {
 
+// Three corners of a convex polygon that are not on one line, the first of all, in its orientation.
+[[nodiscard]] std::array<VertexId, 3> plane_corners(const PolygonMesh& mesh, std::span<const VertexId> corners);
+
 // Three corners of the facet (where it was cut: of the whole it is a piece of) that are not on one line, in its
 // orientation; a facet is convex and not degenerate, so they exist.
-[[nodiscard]] std::array<VertexId, 3> plane_corners(const Mesh& mesh, FacetId facet);
+[[nodiscard]] std::array<VertexId, 3> plane_corners(const CutMesh& mesh, FacetId facet);
 
 // The side of the facet's plane on which p lies: +1 where the facet is counter-clockwise seen from p.
-[[nodiscard]] Sign side_of_plane(const Mesh& mesh, FacetId facet, const HomogeneousPoint& p);
+[[nodiscard]] Sign side_of_plane(const CutMesh& mesh, FacetId facet, const HomogeneousPoint& p);
 
 // The surface a facet belongs to: all of its face where that is planar, else the whole it was cut from, else the facet
 // alone; named by its first facet. What is visible of one surface is described by polygons of its own.
-[[nodiscard]] inline FacetId surface_of(const Mesh& mesh, FacetId facet) {
+[[nodiscard]] inline FacetId surface_of(const CutMesh& mesh, FacetId facet) {
   if (!facet.valid()) return facet;
   const FaceId face = mesh.facet_face[facet.index()];
   if (mesh.face_planar[face.index()] != 0) return FacetId(mesh.first_facet(face));
@@ -25,7 +28,7 @@ namespace sightline::inline geometry {
 }
 
 // One past the last facet of a surface, named by its first facet.
-[[nodiscard]] inline FacetId end_of_surface(const Mesh& mesh, FacetId surface) {
+[[nodiscard]] inline FacetId end_of_surface(const CutMesh& mesh, FacetId surface) {
   const FaceId face = mesh.facet_face[surface.index()];
   if (mesh.face_planar[face.index()] != 0) return FacetId(mesh.end_facet(face));
   return mesh.is_cut() ? mesh.cuts.first_facet[mesh.cuts.whole_of[surface.index()].index() + 1]

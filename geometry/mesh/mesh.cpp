@@ -58,7 +58,7 @@ std::optional<Defect> trim_outline(std::vector<VertexId>& outline, std::span<con
 }
 
 // The faces without what bounds nothing; those that are skipped are empty.
-PolygonList outline_faces(const Mesh& mesh, const Welding& welding, FaceDefects& defects) {
+PolygonList outline_faces(const PolygonMesh& mesh, const Welding& welding, FaceDefects& defects) {
   PolygonList outlines;
   outlines.corners.reserve(mesh.faces.corners.size());
   std::vector<VertexId> outline;
@@ -119,18 +119,6 @@ const char* to_string(Defect defect) {
       return "repeated corner";
   }
   return "unknown defect";
-}
-
-ExactPosition exact_position(const Mesh& mesh, VertexId v) {
-  const std::size_t of_input = mesh.input_vertex_count();
-  return v.index() < of_input ? exact_position(mesh.position(v)) : mesh.cuts.points[v.index() - of_input];
-}
-
-bool collinear(const Mesh& mesh, VertexId a, VertexId b, VertexId c) {
-  const std::size_t of_input = mesh.input_vertex_count();
-  if (a.index() < of_input && b.index() < of_input && c.index() < of_input)
-    return collinear(mesh.position(a), mesh.position(b), mesh.position(c));
-  return collinear(exact_position(mesh, a), exact_position(mesh, b), exact_position(mesh, c));
 }
 
 bool is_skipped(Defect defect) { return defect != Defect::repeated_corner; }

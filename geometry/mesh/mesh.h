@@ -8,8 +8,6 @@
 //   - a mesh edge joins two distinct positions; ends that are equal in position are one end (seams are welded for
 //     topology only: vertices keep their indices and coordinates);
 //   - faces, facets, corners are in file order.
-// Of a mesh that was cut along common lines (FacetCuts) the same holds for exact positions: the vertices that cutting
-// made are known exactly, and `vertices` has them rounded once.
 // Complexity: O(n log n) in the number of corners, except the triangulation of concave faces: O(k^2) in their corners.
 #pragma once
 
@@ -19,7 +17,6 @@
 #include <string>
 #include <vector>
 
-#include "geometry/numbers/exact_position.h"
 #include "geometry/numbers/ids.h"
 #include "geometry/numbers/vector3.h"
 
@@ -56,19 +53,8 @@ struct FaceDefect {
   Defect defect;
 };
 
-// What a mesh whose facets were cut along their common lines (common_lines.h) knows of the facets before: the wholes.
-// All empty where nothing was cut.
-struct FacetCuts {
-  std::vector<ExactPosition> points;             // the exact positions of the vertices behind those of the input
-  PolygonList wholes;                            // the facets before, all of them; corners are the input's vertices
-  std::vector<WholeId> whole_of;                 // per facet
-  std::vector<FacetId> first_facet;              // per whole, and one past the end
-  std::vector<std::array<WholeId, 2>> crossing;  // those that pass through each other: smaller id first; sorted
-  // Per mesh edge: the ends of the input's edge that it is a piece of; invalid where it lies on a common line.
-  std::vector<std::array<VertexId, 2>> input_edge;
-};
-
-struct Mesh {
+// What a mesh has in common with one whose facets were cut (cut_mesh.h): polygons, and their topology.
+struct PolygonMesh {
   std::vector<Point3> vertices;
   PolygonList faces;                      // as the input gives them, defects included
   PolygonList facets;                     // corner indices are those of the input; see shared_corners.h, too
@@ -83,11 +69,7 @@ struct Mesh {
   std::vector<MeshEdgeId> facet_edges;  // parallel to facets.corners: the edge from this corner to the next
 
   std::vector<FaceDefect> defects;
-  FacetCuts cuts;
 
-  [[nodiscard]] bool is_cut() const { return !cuts.whole_of.empty(); }
-  [[nodiscard]] std::size_t input_vertex_count() const { return vertices.size() - cuts.points.size(); }
-  [[nodiscard]] std::size_t whole_count() const { return is_cut() ? cuts.wholes.size() : facets.size(); }
   [[nodiscard]] std::size_t face_count() const { return faces.size(); }
   [[nodiscard]] std::size_t facet_count() const { return facets.size(); }
   [[nodiscard]] std::span<const VertexId> corners(FacetId f) const { return facets[f.index()]; }
@@ -100,15 +82,12 @@ struct Mesh {
   [[nodiscard]] std::size_t end_facet(FaceId f) const { return face_facet[f.index() + 1].index(); }
 };
 
+// A surface as it is given: its facets may pass through each other, so it cannot be swept (cut_mesh.h).
+struct Mesh : PolygonMesh {};
+
 // Throws std::invalid_argument if a corner names no vertex or a coordinate is not finite (readers check this first,
 // with file and line).
 [[nodiscard]] Mesh build_mesh(std::vector<Point3> vertices, PolygonList faces);
-
-// A vertex' exact position, whether it is the input's or made by cutting.
-[[nodiscard]] ExactPosition exact_position(const Mesh& mesh, VertexId v);
-
-// Whether three vertices lie on one line, exactly.
-[[nodiscard]] bool collinear(const Mesh& mesh, VertexId a, VertexId b, VertexId c);
 
 // What of the above does not hold, one line each, with the ids; empty for a valid mesh.
 [[nodiscard]] std::vector<std::string> validate(const Mesh& mesh);

@@ -13,7 +13,7 @@ namespace {
 
 using Messages = std::vector<std::string>;
 
-void check_facet_shapes(const Mesh& mesh, Messages& messages) {
+void check_facet_shapes(const PolygonMesh& mesh, Messages& messages) {
   for (std::size_t f = 0; f < mesh.facet_count(); ++f) {
     std::vector<VertexId> corners(mesh.facets[f].begin(), mesh.facets[f].end());
     remove_spikes(corners, mesh.vertices);
@@ -42,7 +42,8 @@ void add_edge(Boundary& boundary, VertexId a, VertexId b) {
 }
 
 // The welded corners of a face that lie inside the edge from a to b, with both ends, in order.
-std::vector<VertexId> stops_between(const Mesh& mesh, std::span<const VertexId> corners, VertexId a, VertexId b) {
+std::vector<VertexId> stops_between(const PolygonMesh& mesh, std::span<const VertexId> corners, VertexId a,
+                                    VertexId b) {
   std::vector<VertexId> stops{a, b};
   for (const VertexId corner : corners) {
     const VertexId v = mesh.weld[corner.index()];
@@ -60,7 +61,7 @@ std::vector<VertexId> stops_between(const Mesh& mesh, std::span<const VertexId> 
 }
 
 // With `divided`, edges are cut at all these corners.
-void add_boundary(Boundary& boundary, const Mesh& mesh, std::span<const VertexId> polygon,
+void add_boundary(Boundary& boundary, const PolygonMesh& mesh, std::span<const VertexId> polygon,
                   std::span<const VertexId> corners, bool divided) {
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const VertexId a = mesh.weld[polygon[i].index()];
@@ -71,7 +72,7 @@ void add_boundary(Boundary& boundary, const Mesh& mesh, std::span<const VertexId
   }
 }
 
-bool boundaries_agree(const Mesh& mesh, FaceId f, bool divided) {
+bool boundaries_agree(const PolygonMesh& mesh, FaceId f, bool divided) {
   const auto face = mesh.faces[f.index()];
   // Those of the face, and those that it has of another face (shared_corners.h).
   std::vector<VertexId> corners(face.begin(), face.end());
@@ -86,7 +87,7 @@ bool boundaries_agree(const Mesh& mesh, FaceId f, bool divided) {
 }
 
 // In one view of the face its triangles are counter-clockwise and apart. With equal boundaries they then cover it.
-bool is_one_layer(const Mesh& mesh, FaceId f) {
+bool is_one_layer(const PolygonMesh& mesh, FaceId f) {
   std::vector<Triangle> triangles;
   for (std::size_t i = mesh.first_facet(f); i < mesh.end_facet(f); ++i) {
     const auto c = mesh.facets[i];
@@ -102,7 +103,7 @@ bool is_one_layer(const Mesh& mesh, FaceId f) {
   });
 }
 
-void check_faces(const Mesh& mesh, Messages& messages) {
+void check_faces(const PolygonMesh& mesh, Messages& messages) {
   for (std::size_t i = 0; i < mesh.face_count(); ++i) {
     const FaceId f(i);
     const bool planar = is_planar({mesh.faces[i], mesh.vertices});
@@ -118,7 +119,7 @@ void check_faces(const Mesh& mesh, Messages& messages) {
 
 }  // namespace
 
-void check_facets(const Mesh& mesh, std::vector<std::string>& messages) {
+void check_facets(const PolygonMesh& mesh, std::vector<std::string>& messages) {
   check_facet_shapes(mesh, messages);
   check_faces(mesh, messages);
 }

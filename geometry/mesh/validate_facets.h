@@ -10,6 +10,15 @@ namespace sightline::inline geometry {
 
 // Appends a message, with ids, for each facet or face that does not hold what mesh.h says. Requires arrays of the right
 // sizes, ids in range, and facets numbered by face.
-void check_facets(const Mesh& mesh, std::vector<std::string>& messages);
+void check_facets(const PolygonMesh& mesh, std::vector<std::string>& messages);
+
+// Sizes and ranges: what the other checks need in order to look at anything.
+[[nodiscard]] std::vector<std::string> check_arrays(const PolygonMesh& mesh);
+
+// Whether the edges after the corners of each facet join these corners, and every mesh edge is one of them.
+void check_facet_edges(const PolygonMesh& mesh, std::vector<std::string>& messages);
+
+// Whether facets are numbered by face.
+void check_numbering(const PolygonMesh& mesh, std::vector<std::string>& messages);
 
 }  // namespace sightline::inline geometry

@@ -1,8 +1,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/cutting/common_lines.h"
-#include "geometry/cutting/validate_cuts.h"
 #include "geometry/mesh/face_shape.h"
 #include "geometry/mesh/mesh.h"
 #include "geometry/mesh/validate_facets.h"
@@ -20,8 +18,60 @@ bool is_list(const PolygonList& polygons, std::size_t vertex_count) {
          std::ranges::all_of(polygons.corners, [&](VertexId v) { return v.index() < vertex_count; });
 }
 
+void check_vertices(const PolygonMesh& mesh, Messages& messages) {
+  std::vector<VertexId> order;
+  for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+    const Point3& p = mesh.vertices[i];
+    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
+      messages.push_back(name(VertexId(i)) + " is not finite");
+    order.emplace_back(i);
+  }
+  std::ranges::stable_sort(
+      order, [&](VertexId a, VertexId b) { return lexicographically_less(mesh.position(a), mesh.position(b)); });
+  VertexId first;
+  for (const VertexId v : order) {
+    if (!first.valid() || mesh.position(first) != mesh.position(v)) first = v;
+    if (mesh.weld[v.index()] != first)
+      messages.push_back(name(v) + " is not welded to the first vertex with its position");
+  }
+}
+
+void check_edges(const PolygonMesh& mesh, Messages& messages) {
+  const auto key = [&](std::size_t e) {
+    return std::pair(mesh.position(mesh.edges[e][0]), mesh.position(mesh.edges[e][1]));
+  };
+  const auto less = [](const auto& a, const auto& b) {
+    return a.first == b.first ? lexicographically_less(a.second, b.second) : lexicographically_less(a.first, b.first);
+  };
+  for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
+    const auto [a, b] = mesh.edges[e];
+    const bool welded = mesh.weld[a.index()] == a && mesh.weld[b.index()] == b;
+    if (!welded) messages.push_back(name(MeshEdgeId(e)) + " has an end that is not welded");
+    if (!lexicographically_less(mesh.position(a), mesh.position(b)))
+      messages.push_back(name(MeshEdgeId(e)) + " has its ends out of order");
+    if (e > 0 && !less(key(e - 1), key(e))) messages.push_back(name(MeshEdgeId(e)) + " is repeated or out of order");
+  }
+}
+
+void check_defects(const PolygonMesh& mesh, Messages& messages) {
+  std::vector<bool> skipped(mesh.face_count());
+  for (std::size_t i = 0; i < mesh.defects.size(); ++i) {
+    const auto [face, defect] = mesh.defects[i];
+    if (i > 0 && !(mesh.defects[i - 1].face < face))
+      messages.push_back(name(face) + ": defects are repeated or out of order");
+    skipped[face.index()] = is_skipped(defect);
+  }
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    const bool drawn = mesh.first_facet(FaceId(f)) < mesh.end_facet(FaceId(f));
+    if (drawn == skipped[f])
+      messages.push_back(name(FaceId(f)) + (drawn ? " is skipped but has facets" : " has no facet and no defect"));
+  }
+}
+
+}  // namespace
+
 // Sizes and ranges: what the other checks need in order to look at anything.
-Messages check_arrays(const Mesh& mesh) {
+Messages check_arrays(const PolygonMesh& mesh) {
   Messages messages;
   const auto require = [&](bool holds, const char* what) {
     if (!holds) messages.emplace_back(what);
@@ -45,42 +95,7 @@ Messages check_arrays(const Mesh& mesh) {
   return messages;
 }
 
-void check_vertices(const Mesh& mesh, Messages& messages) {
-  std::vector<VertexId> order;
-  for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
-    const Point3& p = mesh.vertices[i];
-    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
-      messages.push_back(name(VertexId(i)) + " is not finite");
-    order.emplace_back(i);
-  }
-  std::ranges::stable_sort(
-      order, [&](VertexId a, VertexId b) { return lexicographically_less(mesh.position(a), mesh.position(b)); });
-  VertexId first;
-  for (const VertexId v : order) {
-    if (!first.valid() || mesh.position(first) != mesh.position(v)) first = v;
-    if (mesh.weld[v.index()] != first)
-      messages.push_back(name(v) + " is not welded to the first vertex with its position");
-  }
-}
-
-void check_edges(const Mesh& mesh, Messages& messages) {
-  const auto key = [&](std::size_t e) {
-    return std::pair(mesh.position(mesh.edges[e][0]), mesh.position(mesh.edges[e][1]));
-  };
-  const auto less = [](const auto& a, const auto& b) {
-    return a.first == b.first ? lexicographically_less(a.second, b.second) : lexicographically_less(a.first, b.first);
-  };
-  for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
-    const auto [a, b] = mesh.edges[e];
-    const bool welded = mesh.weld[a.index()] == a && mesh.weld[b.index()] == b;
-    if (!welded) messages.push_back(name(MeshEdgeId(e)) + " has an end that is not welded");
-    if (!lexicographically_less(mesh.position(a), mesh.position(b)))
-      messages.push_back(name(MeshEdgeId(e)) + " has its ends out of order");
-    if (e > 0 && !less(key(e - 1), key(e))) messages.push_back(name(MeshEdgeId(e)) + " is repeated or out of order");
-  }
-}
-
-void check_facet_edges(const Mesh& mesh, Messages& messages) {
+void check_facet_edges(const PolygonMesh& mesh, Messages& messages) {
   std::vector<bool> used(mesh.edges.size());
   for (std::size_t f = 0; f < mesh.facets.size(); ++f) {
     const auto corners = mesh.facets[f];
@@ -101,7 +116,7 @@ void check_facet_edges(const Mesh& mesh, Messages& messages) {
   }
 }
 
-void check_numbering(const Mesh& mesh, Messages& messages) {
+void check_numbering(const PolygonMesh& mesh, Messages& messages) {
   if (mesh.face_facet.front() != FacetId(0) || mesh.face_facet.back() != FacetId(mesh.facet_count()) ||
       !std::ranges::is_sorted(mesh.face_facet)) {
     messages.emplace_back("face_facet does not run from 0 to the number of facets");
@@ -115,36 +130,9 @@ void check_numbering(const Mesh& mesh, Messages& messages) {
   }
 }
 
-void check_defects(const Mesh& mesh, Messages& messages) {
-  std::vector<bool> skipped(mesh.face_count());
-  for (std::size_t i = 0; i < mesh.defects.size(); ++i) {
-    const auto [face, defect] = mesh.defects[i];
-    if (i > 0 && !(mesh.defects[i - 1].face < face))
-      messages.push_back(name(face) + ": defects are repeated or out of order");
-    skipped[face.index()] = is_skipped(defect);
-  }
-  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-    const bool drawn = mesh.first_facet(FaceId(f)) < mesh.end_facet(FaceId(f));
-    if (drawn == skipped[f])
-      messages.push_back(name(FaceId(f)) + (drawn ? " is skipped but has facets" : " has no facet and no defect"));
-  }
-}
-
-// What is said of positions holds before the cut; of the pieces exactly, and of the numbering for both.
-Messages validate_cut_mesh(const Mesh& mesh) {
-  Messages messages = validate(without_cuts(mesh));
-  if (messages.empty()) check_facet_edges(mesh, messages);
-  if (messages.empty()) check_numbering(mesh, messages);
-  if (messages.empty()) check_cuts(mesh, messages);
-  return messages;
-}
-
-}  // namespace
-
 std::vector<std::string> validate(const Mesh& mesh) {
   Messages messages = check_arrays(mesh);
   if (!messages.empty()) return messages;
-  if (mesh.is_cut()) return validate_cut_mesh(mesh);
   check_vertices(mesh, messages);
   check_edges(mesh, messages);
   check_facet_edges(mesh, messages);

@@ -4,7 +4,7 @@ namespace sightline::inline geometry {
 namespace {
 
 // Twice the area as a vector, of a face that need not be planar.
-Vector3 area_vector(const Mesh& mesh, FaceId face, double scale) {
+Vector3 area_vector(const PolygonMesh& mesh, FaceId face, double scale) {
   const auto corners = mesh.faces[face.index()];
   const auto position = [&](std::size_t i) { return scale * mesh.position(corners[i]); };
   Vector3 sum;
@@ -14,7 +14,7 @@ Vector3 area_vector(const Mesh& mesh, FaceId face, double scale) {
 }
 
 // Per vertex that stands for its position (Mesh::weld), the sum over the faces around it.
-std::vector<Vector3> sums_at_positions(const Mesh& mesh) {
+std::vector<Vector3> sums_at_positions(const PolygonMesh& mesh) {
   const double scale = unit_scale(mesh.vertices);
   std::vector<Vector3> sums(mesh.vertices.size());
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
@@ -30,7 +30,7 @@ std::vector<Vector3> sums_at_positions(const Mesh& mesh) {
 
 }  // namespace
 
-std::vector<Vector3> vertex_normals(const Mesh& mesh, const std::vector<Vector3>& given) {
+std::vector<Vector3> vertex_normals(const PolygonMesh& mesh, const std::vector<Vector3>& given) {
   const std::vector<Vector3> sums = sums_at_positions(mesh);
   std::vector<Vector3> normals;
   normals.reserve(mesh.faces.corners.size());

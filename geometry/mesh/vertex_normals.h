@@ -15,6 +15,6 @@
 
 namespace sightline::inline geometry {
 
-[[nodiscard]] std::vector<Vector3> vertex_normals(const Mesh& mesh, const std::vector<Vector3>& given);
+[[nodiscard]] std::vector<Vector3> vertex_normals(const PolygonMesh& mesh, const std::vector<Vector3>& given);
 
 }  // namespace sightline::inline geometry

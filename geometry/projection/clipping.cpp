@@ -52,7 +52,7 @@ ExactCorner homogeneous(const Point3& v, const Camera& camera, const CommonScale
 }
 
 // A vertex of the input, or one that cutting made.
-ExactCorner homogeneous(const Mesh& mesh, VertexId v, const Camera& camera, const CommonScale& scale) {
+ExactCorner homogeneous(const CutMesh& mesh, VertexId v, const Camera& camera, const CommonScale& scale) {
   if (v.index() < mesh.input_vertex_count()) return homogeneous(mesh.position(v), camera, scale);
   const ExactPosition p = exact_position(mesh, v);
   const BigInteger unit = scale(1.0);
@@ -124,7 +124,7 @@ ExactCorner exact_corner(const Point3& vertex, const Camera& camera) {
   return homogeneous(vertex, camera, CommonScale(camera, std::span(&vertex, 1)));
 }
 
-ExactCorner exact_corner(const Mesh& mesh, VertexId vertex, const Camera& camera) {
+ExactCorner exact_corner(const CutMesh& mesh, VertexId vertex, const Camera& camera) {
   return homogeneous(mesh, vertex, camera, CommonScale(camera, std::span(&mesh.position(vertex), 1)));
 }
 
@@ -137,7 +137,7 @@ ImagePoint round_to_grid(const ExactCorner& corner, int grid_bits) {
   return {coordinate(corner.x), coordinate(corner.y)};
 }
 
-Polygon clip(const Mesh& mesh, const Camera& camera, FacetId facet) {
+Polygon clip(const CutMesh& mesh, const Camera& camera, FacetId facet) {
   const auto corners = mesh.corners(facet);
   std::vector<Point3> positions;
   for (const VertexId v : corners) positions.push_back(mesh.position(v));

@@ -14,7 +14,7 @@
 
 #include <vector>
 
-#include "geometry/mesh/mesh.h"
+#include "geometry/mesh/cut_mesh.h"
 #include "geometry/numbers/image_point.h"
 #include "geometry/projection/camera.h"
 
@@ -33,14 +33,14 @@ struct ExactCorner {
   [[nodiscard]] double weight() const;  // W
 };
 
-[[nodiscard]] std::vector<ExactCorner> clip(const Mesh& mesh, const Camera& camera, FacetId facet);
+[[nodiscard]] std::vector<ExactCorner> clip(const CutMesh& mesh, const Camera& camera, FacetId facet);
 
 // The grid point nearest to the projection of an exact corner, ties away from the window's centre line.
 [[nodiscard]] ImagePoint round_to_grid(const ExactCorner& corner, int grid_bits);
 
 // The corner of a facet that one vertex makes, unclipped.
 [[nodiscard]] ExactCorner exact_corner(const Point3& vertex, const Camera& camera);
-[[nodiscard]] ExactCorner exact_corner(const Mesh& mesh, VertexId vertex, const Camera& camera);
+[[nodiscard]] ExactCorner exact_corner(const CutMesh& mesh, VertexId vertex, const Camera& camera);
 
 // The window edge coordinates of the left, right, bottom, top, near and far bound, each up to a positive factor:
 // negative outside. A bound that the camera does not have is satisfied.

@@ -19,7 +19,7 @@ struct EdgeUse {
   std::uint32_t backward = 0;
 };
 
-std::vector<EdgeUse> count_edge_uses(const Mesh& mesh) {
+std::vector<EdgeUse> count_edge_uses(const CutMesh& mesh) {
   std::vector<EdgeUse> uses(mesh.edges.size());
   for (std::size_t i = 0; i < mesh.facet_edges.size(); ++i) {
     const std::size_t edge = mesh.facet_edges[i].index();
@@ -35,7 +35,7 @@ std::string describe(const EdgeUse& use) {
   return facets == 1 ? " has one facet" : " has " + std::to_string(facets) + " facets";
 }
 
-Objection open_edge(const Mesh& mesh) {
+Objection open_edge(const CutMesh& mesh) {
   const std::vector<EdgeUse> uses = count_edge_uses(mesh);
   for (std::size_t e = 0; e < uses.size(); ++e) {
     if (uses[e].forward + uses[e].backward == 0 || (uses[e].forward == 1 && uses[e].backward == 1)) continue;
@@ -44,14 +44,14 @@ Objection open_edge(const Mesh& mesh) {
   return std::nullopt;
 }
 
-std::string describe(const Mesh& mesh, const std::array<FacetId, 2>& pair, const std::string& verb) {
+std::string describe(const CutMesh& mesh, const std::array<FacetId, 2>& pair, const std::string& verb) {
   const FaceId first = mesh.facet_face[pair[0].index()];
   const FaceId second = mesh.facet_face[pair[1].index()];
   if (first == second) return "face " + name(first.value) + " meets itself";
   return "faces " + name(first.value) + " and " + name(second.value) + " " + verb;
 }
 
-Objection first_crossing(const Mesh& mesh, const MeshContacts& contacts) {
+Objection first_crossing(const CutMesh& mesh, const MeshContacts& contacts) {
   if (contacts.crossing.empty()) return std::nullopt;
   if (!mesh.is_cut()) return describe(mesh, contacts.crossing.front(), "cross");
   const auto [a, b] = mesh.cuts.crossing.front();
@@ -59,12 +59,12 @@ Objection first_crossing(const Mesh& mesh, const MeshContacts& contacts) {
 }
 
 // Facets of a mesh that was not cut keep their numbers.
-Objection first_touch(const Mesh& mesh, const MeshContacts& contacts) {
+Objection first_touch(const CutMesh& mesh, const MeshContacts& contacts) {
   if (!contacts.touching.empty()) return describe(mesh, contacts.touching.front(), "touch");
   return std::nullopt;
 }
 
-Objection component_around(const Mesh& mesh, const Component& component, const HomogeneousPoint& eye) {
+Objection component_around(const CutMesh& mesh, const Component& component, const HomogeneousPoint& eye) {
   const std::string surface = "the surface of face " + name(mesh.facet_face[component.front().index()].value);
   if (volume_sign(mesh, component) <= 0) return surface + " is inside out";
   if (eye.w == 0) return std::nullopt;
@@ -74,7 +74,7 @@ Objection component_around(const Mesh& mesh, const Component& component, const H
   return std::nullopt;
 }
 
-Objection objection(const Mesh& mesh, const MeshContacts& contacts, const Camera& camera) {
+Objection objection(const CutMesh& mesh, const MeshContacts& contacts, const Camera& camera) {
   if (camera.near_distance) return "the near plane may cut the surface open";
   if (const Objection crossing = first_crossing(mesh, contacts)) return crossing;
   if (const Objection edge = open_edge(mesh)) return edge;
@@ -87,7 +87,8 @@ Objection objection(const Mesh& mesh, const MeshContacts& contacts, const Camera
 
 }  // namespace
 
-SidesDecision decide_sides(const Mesh& mesh, const MeshContacts& contacts, const Camera& camera, SidesPolicy policy) {
+SidesDecision decide_sides(const CutMesh& mesh, const MeshContacts& contacts, const Camera& camera,
+                           SidesPolicy policy) {
   if (policy == SidesPolicy::front) return {Sides::front, "front sides: as asked"};
   if (policy == SidesPolicy::both) return {Sides::both, "both sides: as asked"};
   if (const Objection reason = objection(mesh, contacts, camera)) return {Sides::both, "both sides: " + *reason};

@@ -12,12 +12,17 @@
 #include <string>
 
 #include "geometry/cutting/interpenetration.h"
-#include "geometry/mesh/mesh.h"
+#include "geometry/mesh/cut_mesh.h"
 #include "geometry/projection/projected_scene.h"
 
 namespace sightline::inline geometry {
 
 enum class SidesPolicy { automatic, front, both };
+
+// The policy that says these sides, whatever the mesh.
+[[nodiscard]] constexpr SidesPolicy policy_of(Sides sides) {
+  return sides == Sides::front ? SidesPolicy::front : SidesPolicy::both;
+}
 
 struct SidesDecision {
   Sides sides = Sides::both;
@@ -25,7 +30,7 @@ struct SidesDecision {
 };
 
 // `contacts`: how the mesh met itself before it was cut along common lines, if it was (interpenetration.h).
-[[nodiscard]] SidesDecision decide_sides(const Mesh& mesh, const MeshContacts& contacts, const Camera& camera,
+[[nodiscard]] SidesDecision decide_sides(const CutMesh& mesh, const MeshContacts& contacts, const Camera& camera,
                                          SidesPolicy policy);
 
 }  // namespace sightline::inline geometry

@@ -16,7 +16,7 @@
 namespace sightline::inline geometry {
 namespace {
 
-std::vector<ProjectedVertex> project_vertices(const Mesh& mesh, const Camera& camera, const Precision& precision) {
+std::vector<ProjectedVertex> project_vertices(const CutMesh& mesh, const Camera& camera, const Precision& precision) {
   std::vector<ProjectedVertex> projected(mesh.vertices.size());
   std::vector<std::uint8_t> used(mesh.vertices.size(), 0);
   parallel_for_each(mesh.facets.corners.size(), [&](std::size_t corner) {
@@ -33,7 +33,7 @@ std::vector<ProjectedVertex> project_vertices(const Mesh& mesh, const Camera& ca
 }
 
 // A facet that is edge-on is edge-on in any arithmetic: clipping needs that.
-Facing facing_of(const Mesh& mesh, const Camera& camera, FacetId facet, Arithmetic arithmetic) {
+Facing facing_of(const CutMesh& mesh, const Camera& camera, FacetId facet, Arithmetic arithmetic) {
   Sign side = side_of_plane(mesh, facet, camera.eye);
   if (arithmetic != Arithmetic::exact && side != 0) {
     const auto [a, b, c] = plane_corners(mesh, facet);
@@ -66,8 +66,9 @@ struct Place {
 
 class SceneBuilder {
  public:
-  SceneBuilder(const Mesh& mesh, const Camera& camera, Sides sides, const Precision& precision)
-      : mesh_(mesh), projected_(project_vertices(mesh, camera, precision)), point_of_vertex_(mesh.vertices.size()) {
+  SceneBuilder(std::shared_ptr<const CutMesh> mesh, const Camera& camera, Sides sides, const Precision& precision)
+      : mesh_(*mesh), projected_(project_vertices(*mesh, camera, precision)), point_of_vertex_(mesh->vertices.size()) {
+    scene_.surface = std::move(mesh);
     scene_.camera = camera;
     scene_.sides_shown = sides;
     scene_.arithmetic = precision.arithmetic;
@@ -246,7 +247,7 @@ class SceneBuilder {
     return before;
   }
 
-  const Mesh& mesh_;
+  const CutMesh& mesh_;
   std::vector<ProjectedVertex> projected_;
   std::vector<PointId> point_of_vertex_;       // invalid where no facet in view has the vertex
   std::vector<std::vector<Clipped>> clipped_;  // per range of facets, by facet
@@ -256,8 +257,13 @@ class SceneBuilder {
 
 }  // namespace
 
-ProjectedScene project(const Mesh& mesh, const Camera& camera, Sides sides, const Precision& precision) {
-  return SceneBuilder(mesh, camera, sides, precision).build();
+ProjectedScene project(std::shared_ptr<const CutMesh> mesh, const Camera& camera, Sides sides,
+                       const Precision& precision) {
+  return SceneBuilder(std::move(mesh), camera, sides, precision).build();
+}
+
+ProjectedScene project(CutMesh mesh, const Camera& camera, Sides sides, const Precision& precision) {
+  return project(std::make_shared<const CutMesh>(std::move(mesh)), camera, sides, precision);
 }
 
 }  // namespace sightline::inline geometry

@@ -19,11 +19,12 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "geometry/mesh/mesh.h"
+#include "geometry/mesh/cut_mesh.h"
 #include "geometry/numbers/arithmetic.h"
 #include "geometry/numbers/ids.h"
 #include "geometry/numbers/image_point.h"
@@ -77,6 +78,7 @@ struct MadeCorner {
 };
 
 struct ProjectedScene {
+  std::shared_ptr<const CutMesh> surface;  // what was projected; a scene keeps it alive
   Camera camera;
   Sides sides_shown = Sides::both;
   Arithmetic arithmetic = Arithmetic::exact;  // in which vertices were projected, and the stages that follow decide
@@ -96,6 +98,8 @@ struct ProjectedScene {
   std::vector<MadeCorner> made_corners;
   std::vector<double> vertex_weights;  // per vertex in the view volume its W of the camera (1 where orthographic)
 
+  // Precondition: the scene was made by `project`.
+  [[nodiscard]] const CutMesh& mesh() const { return *surface; }
   [[nodiscard]] std::size_t edge_count() const { return edges.empty() ? 0 : edges.size() - 1; }
   [[nodiscard]] const SceneEdge& edge(EdgeId e) const { return edges[e.index()]; }
   [[nodiscard]] const ImagePoint& point(PointId p) const { return points[p.index()]; }
@@ -117,9 +121,8 @@ struct ProjectedScene {
 };
 
 // A corner in input coordinates; the vertex's own where it is one.
-[[nodiscard]] inline const Point3& position_of(const Mesh& mesh, const ProjectedScene& scene,
-                                               const ClippedCorner& corner) {
-  return corner.vertex.valid() ? mesh.position(corner.vertex) : scene.made(corner).position;
+[[nodiscard]] inline const Point3& position_of(const ProjectedScene& scene, const ClippedCorner& corner) {
+  return corner.vertex.valid() ? scene.mesh().position(corner.vertex) : scene.made(corner).position;
 }
 
 // A corner's W of the camera: its perspective weight.
@@ -127,8 +130,11 @@ struct ProjectedScene {
   return corner.vertex.valid() ? scene.vertex_weights[corner.vertex.index()] : scene.made(corner).weight;
 }
 
-[[nodiscard]] ProjectedScene project(const Mesh& mesh, const Camera& camera, Sides sides,
+[[nodiscard]] ProjectedScene project(std::shared_ptr<const CutMesh> mesh, const Camera& camera, Sides sides,
                                      const Precision& precision = {});
+
+// The same for a mesh that the scene takes for itself; it is copied unless it is moved.
+[[nodiscard]] ProjectedScene project(CutMesh mesh, const Camera& camera, Sides sides, const Precision& precision = {});
 
 // What of the above does not hold, one line each, with the ids; empty for a valid scene.
 [[nodiscard]] std::vector<std::string> validate(const ProjectedScene& scene);

@@ -119,7 +119,7 @@ ProjectedVertex project_vertex(const Point3& vertex, const Camera& camera, int g
   return fast ? *fast : projection_tiers::exact(vertex, camera, grid_bits);
 }
 
-ProjectedVertex project_vertex(const Mesh& mesh, VertexId vertex, const Camera& camera, int grid_bits) {
+ProjectedVertex project_vertex(const CutMesh& mesh, VertexId vertex, const Camera& camera, int grid_bits) {
   if (vertex.index() < mesh.input_vertex_count()) return project_vertex(mesh.position(vertex), camera, grid_bits);
   return projected(exact_corner(mesh, vertex, camera), camera, grid_bits);
 }

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "geometry/mesh/mesh.h"
+#include "geometry/mesh/cut_mesh.h"
 #include "geometry/numbers/image_point.h"
 #include "geometry/projection/camera.h"
 
@@ -26,7 +26,7 @@ struct ProjectedVertex {
 [[nodiscard]] ProjectedVertex project_vertex(const Point3& vertex, const Camera& camera, int grid_bits);
 
 // The same for a vertex of a mesh; one that cutting made goes through the exact tier.
-[[nodiscard]] ProjectedVertex project_vertex(const Mesh& mesh, VertexId vertex, const Camera& camera, int grid_bits);
+[[nodiscard]] ProjectedVertex project_vertex(const CutMesh& mesh, VertexId vertex, const Camera& camera, int grid_bits);
 
 namespace projection_tiers {
 // Empty where the error bound does not decide every bound and the rounding.

@@ -28,12 +28,12 @@ std::string difference(const VisibleSegments& fast, const VisibleSegments& full)
 
 }  // namespace
 
-std::string engine_differences(const Mesh& mesh, const ProjectedScene& scene, std::initializer_list<FastOptions> all,
+std::string engine_differences(const ProjectedScene& scene, std::initializer_list<FastOptions> all,
                                EngineTally& tally) {
-  const VisibleSegments full = find_visible_segments(mesh, scene, Engine::full);
-  std::string found = difference(find_visible_segments(mesh, scene, Engine::fast), full);
+  const VisibleSegments full = find_visible_segments(scene, Engine::full);
+  std::string found = difference(find_visible_segments(scene, Engine::fast), full);
   for (const FastOptions& options : all) {
-    const VisibleSegments fast = fast_visible_segments(mesh, scene, options);
+    const VisibleSegments fast = fast_visible_segments(scene, options);
     if (options.bands == 1) tally.points += full.statistics.sweep_points;
     if (options.bands == 1) tally.swept += fast.statistics.sweep_points;
     const std::string here = difference(fast, full);

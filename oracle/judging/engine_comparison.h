@@ -15,7 +15,7 @@ struct EngineTally {
 };
 
 // As the fast engine chooses by itself, and as each of the options says; empty where nothing differs.
-[[nodiscard]] std::string engine_differences(const Mesh& mesh, const ProjectedScene& scene,
-                                             std::initializer_list<FastOptions> all, EngineTally& tally);
+[[nodiscard]] std::string engine_differences(const ProjectedScene& scene, std::initializer_list<FastOptions> all,
+                                             EngineTally& tally);
 
 }  // namespace sightline::lattice

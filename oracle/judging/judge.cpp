@@ -32,10 +32,11 @@ double length(const ProjectedScene& scene, EdgeId e) {
                     -scene.grid_bits);
 }
 
-void compare_with_oracle(Verdict& verdict, const RandomScene& scene, const Mesh& mesh, const View& view) {
+void compare_with_oracle(Verdict& verdict, const RandomScene& scene, const View& view) {
+  const CutMesh& mesh = view.scene.mesh();
   const std::vector<OracleFace> faces = oracle_faces(mesh, scene.camera, scene.sides);
-  const Visibility truth = visibility(faces, mesh.face_count());
-  const std::vector<Rational> ours = visible_areas(mesh, view);
+  const lattice::Visibility truth = visibility(faces, mesh.face_count());
+  const std::vector<Rational> ours = visible_areas(view);
   const int bits = view.scene.grid_bits;
   Rational uncovered = window_area(bits);
   for (std::size_t f = 0; f < ours.size(); ++f) {
@@ -64,19 +65,21 @@ std::vector<Point3> used_vertices(RandomScene& scene) {
 
 }  // namespace
 
-Mesh cut(const Mesh& mesh) { return cut_along_common_lines(mesh, find_contacts(mesh)); }
+CutMesh cut(const Mesh& mesh) { return cut_along_common_lines(mesh, find_contacts(mesh)); }
 
-Complaints complaints_of_stages(const Mesh& mesh, const View& view) {
+Complaints complaints_of_stages(const View& view) {
+  const CutMesh& mesh = view.scene.mesh();
   Complaints complaints;
   append(complaints, "mesh: ", validate(mesh));
   append(complaints, "scene: ", validate(view.scene));
   append(complaints, "segments: ", validate(view.segments, view.scene));
-  append(complaints, "polygons: ", validate(view.polygons, mesh, view.scene, view.segments));
-  append(complaints, "labelled: ", validate(view.labelled, mesh, view.scene));
+  append(complaints, "polygons: ", validate(view.polygons, view.scene, view.segments));
+  append(complaints, "labelled: ", validate(view.labelled, view.scene));
   return complaints;
 }
 
-std::vector<Rational> visible_areas(const Mesh& mesh, const View& view) {
+std::vector<Rational> visible_areas(const View& view) {
+  const CutMesh& mesh = view.scene.mesh();
   std::vector<Rational> result(mesh.face_count());
   for (std::size_t p = 0; p < view.polygons.polygons.size(); ++p) {
     result[view.polygons.polygons[p].face.index()] += exact_area(view.scene, view.segments, view.polygons, p);
@@ -91,15 +94,11 @@ Rational window_area(int grid_bits) {
 Verdict judge(const RandomScene& scene) {
   Verdict verdict;
   try {
-    const Mesh mesh = mesh_of(scene);
-    View view;
-    view.scene = project(mesh, scene.camera, scene.sides);
-    view.segments = plain_sweep(mesh, view.scene);
-    view.polygons = reconstruct_polygons(mesh, view.scene, view.segments);
+    const Analyzer analyzer(uncrossed(mesh_of(scene)), {.sides = policy_of(scene.sides), .engine = Engine::full});
+    const View view = analyzer.view(scene.camera);
     verdict.statistics = view.segments.statistics;
-    compare_with_oracle(verdict, scene, mesh, view);
-    view.labelled = label_mesh(mesh, view.scene, view.segments, view.polygons);
-    append(verdict.complaints, "", complaints_of_stages(mesh, view));
+    compare_with_oracle(verdict, scene, view);
+    append(verdict.complaints, "", complaints_of_stages(view));
   } catch (const std::exception& error) {
     verdict.complaints.push_back(std::string("exception: ") + error.what());
   }

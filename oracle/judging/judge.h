@@ -7,20 +7,20 @@
 
 #include "oracle/lattice/oracle.h"
 #include "oracle/scenes/random_scenes.h"
-#include "sightline/analyze.h"
+#include "sightline/analyzer.h"
 
 namespace sightline::lattice {
 
 using Complaints = std::vector<std::string>;
 
 // Cut along the common lines of its facets.
-[[nodiscard]] Mesh cut(const Mesh& mesh);
+[[nodiscard]] CutMesh cut(const Mesh& mesh);
 
 // What the checkers of all stages say, each line with the stage in front.
-[[nodiscard]] Complaints complaints_of_stages(const Mesh& mesh, const View& view);
+[[nodiscard]] Complaints complaints_of_stages(const View& view);
 
 // The exact visible area per face, in grid units squared: its polygons together.
-[[nodiscard]] std::vector<Rational> visible_areas(const Mesh& mesh, const View& view);
+[[nodiscard]] std::vector<Rational> visible_areas(const View& view);
 
 // How much a visible area may differ from the truth, in window units squared: it is bounded by the scene's edges, and
 // rounding moves every end of an edge by at most half a spacing of the grid per axis, less than one spacing in all: so no

@@ -18,7 +18,7 @@ struct FaceExtent {
   double coordinate = 0;  // the largest
 };
 
-FaceExtent extent_of(const Mesh& mesh, FaceId face) {
+FaceExtent extent_of(const PolygonMesh& mesh, FaceId face) {
   FaceExtent extent;
   for (std::size_t f = mesh.first_facet(face); f < mesh.end_facet(face); ++f) {
     const auto corners = mesh.corners(FacetId(f));
@@ -76,14 +76,14 @@ Point2 image(const Camera& camera, const Point3& v) {
 
 }  // namespace
 
-Complaints input_vertices_kept(const Mesh& mesh, const LabelledMesh& labelled) {
+Complaints input_vertices_kept(const PolygonMesh& mesh, const LabelledMesh& labelled) {
   const std::size_t bytes = mesh.vertices.size() * sizeof(Point3);
   const bool kept = labelled.vertices.size() >= mesh.vertices.size() &&
                     (bytes == 0 || std::memcmp(labelled.vertices.data(), mesh.vertices.data(), bytes) == 0);
   return kept ? Complaints{} : Complaints{"the first vertices are not the input's"};
 }
 
-Complaints areas_kept(const Mesh& mesh, const LabelledMesh& labelled) {
+Complaints areas_kept(const PolygonMesh& mesh, const LabelledMesh& labelled) {
   std::vector<double> area(mesh.face_count());
   for (const LabelledTriangle& t : labelled.triangles) {
     const auto at = [&](std::size_t i) { return labelled.vertices[t.corners[i].index()]; };
@@ -100,7 +100,7 @@ Complaints areas_kept(const Mesh& mesh, const LabelledMesh& labelled) {
   return complaints;
 }
 
-bool is_closed(const Mesh& mesh) {
+bool is_closed(const PolygonMesh& mesh) {
   const std::vector<std::size_t> weld = welded(mesh.vertices);
   std::vector<DirectedEdge> edges;
   for (std::size_t f = 0; f < mesh.facet_count(); ++f) append_edges(edges, mesh.corners(FacetId(f)), weld);
@@ -114,7 +114,8 @@ bool is_closed(const LabelledMesh& labelled) {
   return balanced(std::move(edges));
 }
 
-Complaints seen_areas_agree(const Mesh& mesh, const View& view, double tolerance) {
+Complaints seen_areas_agree(const View& view, double tolerance) {
+  const CutMesh& mesh = view.scene.mesh();
   std::vector<double> seen(mesh.face_count());
   for (const LabelledTriangle& t : view.labelled.triangles) {
     if (!t.seen) continue;

@@ -30,7 +30,7 @@ double distance_to(const std::array<Point3, 3>& corners, const Point3& origin, c
 
 }  // namespace
 
-MirrorRays::MirrorRays(const Mesh& mesh, const std::vector<Panel>& panels, const Camera& camera,
+MirrorRays::MirrorRays(const PolygonMesh& mesh, const std::vector<Panel>& panels, const Camera& camera,
                        const std::vector<Vector3>& normals)
     : camera_(camera), is_bent_(!normals.empty()) {
   add(faces_, mesh, 0, false);
@@ -41,7 +41,7 @@ MirrorRays::MirrorRays(const Mesh& mesh, const std::vector<Panel>& panels, const
     add(panels_, panel_mesh(panels[p]), p, panels[p].emits == Emits::front);
 }
 
-void MirrorRays::add(std::vector<Target>& targets, const Mesh& mesh, std::size_t owner, bool front_only) const {
+void MirrorRays::add(std::vector<Target>& targets, const PolygonMesh& mesh, std::size_t owner, bool front_only) const {
   for (std::size_t f = 0; f < mesh.facet_count(); ++f) {
     const auto corners = mesh.corners(FacetId(f));
     for (std::size_t i = 1; i + 1 < corners.size(); ++i) {

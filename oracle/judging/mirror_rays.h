@@ -18,7 +18,7 @@ namespace sightline::lattice {
 
 class MirrorRays {
  public:
-  MirrorRays(const Mesh& mesh, const std::vector<Panel>& panels, const Camera& camera,
+  MirrorRays(const PolygonMesh& mesh, const std::vector<Panel>& panels, const Camera& camera,
              const std::vector<Vector3>& normals = {});
 
   // x, y: in the window [-1, 1]^2.
@@ -38,7 +38,7 @@ class MirrorRays {
   };
 
   [[nodiscard]] static Vector3 normal_at(const Target& target, const Point3& place);
-  void add(std::vector<Target>& targets, const Mesh& mesh, std::size_t owner, bool front_only) const;
+  void add(std::vector<Target>& targets, const PolygonMesh& mesh, std::size_t owner, bool front_only) const;
   [[nodiscard]] static Hit first_hit(const std::vector<Target>& targets, const Point3& origin, const Vector3& direction,
                                      const Target* from);
 

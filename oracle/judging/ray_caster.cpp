@@ -121,7 +121,8 @@ std::vector<RayHits> cast(const ProjectedScene& scene, const std::vector<ImagePo
   return hits;
 }
 
-void sort_by_depth(std::vector<FacetId>& facets, const Mesh& mesh, const ProjectedScene& scene, const ImagePoint& ray) {
+void sort_by_depth(std::vector<FacetId>& facets, const PolygonMesh& mesh, const ProjectedScene& scene,
+                   const ImagePoint& ray) {
   std::vector<std::pair<RayDepth, FacetId>> placed;
   for (const FacetId f : facets) placed.emplace_back(depth_along(mesh, scene, f, ray), f);
   std::sort(placed.begin(), placed.end(), [&](const auto& a, const auto& b) {

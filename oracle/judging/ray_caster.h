@@ -9,7 +9,7 @@
 
 #include <vector>
 
-#include "sightline/analyze.h"
+#include "sightline/analyzer.h"
 
 namespace sightline::lattice {
 
@@ -23,7 +23,8 @@ struct RayHits {
 [[nodiscard]] std::vector<RayHits> cast(const ProjectedScene& scene, const std::vector<ImagePoint>& rays);
 
 // Sorts facets along the ray, the nearest first; at equal depth the lower face index first.
-void sort_by_depth(std::vector<FacetId>& facets, const Mesh& mesh, const ProjectedScene& scene, const ImagePoint& ray);
+void sort_by_depth(std::vector<FacetId>& facets, const PolygonMesh& mesh, const ProjectedScene& scene,
+                   const ImagePoint& ray);
 
 // Per ray, which is on no edge, the indices of the visible polygons around it.
 [[nodiscard]] std::vector<std::vector<std::size_t>> polygons_around(const View& view,

@@ -68,7 +68,7 @@ BigInteger determinant(const WideRow& p, const WideRow& q, const WideRow& r) {
 
 }  // namespace
 
-RayDepth depth_along(const Mesh& mesh, const ProjectedScene& scene, FacetId facet, const ImagePoint& ray) {
+RayDepth depth_along(const PolygonMesh& mesh, const ProjectedScene& scene, FacetId facet, const ImagePoint& ray) {
   const auto corners = mesh.corners(facet);
   for (std::size_t k = 2; k < corners.size(); ++k) {
     const Point3& a = mesh.position(corners[0]);

@@ -13,7 +13,8 @@ struct RayDepth {
 };
 
 // Precondition: the facet is not edge-on. The ray goes through a grid point of the image.
-[[nodiscard]] RayDepth depth_along(const Mesh& mesh, const ProjectedScene& scene, FacetId facet, const ImagePoint& ray);
+[[nodiscard]] RayDepth depth_along(const PolygonMesh& mesh, const ProjectedScene& scene, FacetId facet,
+                                   const ImagePoint& ray);
 
 // +1 where a is nearer than b, 0 at equal depth.
 [[nodiscard]] Sign nearer(const RayDepth& a, const RayDepth& b);

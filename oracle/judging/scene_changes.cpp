@@ -6,7 +6,7 @@
 namespace sightline::lattice {
 namespace {
 
-std::vector<std::vector<VertexId>> face_list(const Mesh& mesh) {
+std::vector<std::vector<VertexId>> face_list(const PolygonMesh& mesh) {
   std::vector<std::vector<VertexId>> faces;
   for (std::size_t f = 0; f < mesh.face_count(); ++f) faces.emplace_back(mesh.faces[f].begin(), mesh.faces[f].end());
   return faces;
@@ -39,7 +39,7 @@ bool same(const Crossing& a, const Crossing& b) { return a.a == b.a && a.b == b.
 
 }  // namespace
 
-Shuffled with_faces_shuffled(const Mesh& mesh, Dice& dice) {
+Shuffled with_faces_shuffled(const PolygonMesh& mesh, Dice& dice) {
   const auto faces = face_list(mesh);
   std::vector<std::size_t> order(faces.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
@@ -51,7 +51,7 @@ Shuffled with_faces_shuffled(const Mesh& mesh, Dice& dice) {
   return {rebuilt(mesh.vertices, shuffled), order};
 }
 
-Mesh with_corners_rotated(const Mesh& mesh, Dice& dice) {
+Mesh with_corners_rotated(const PolygonMesh& mesh, Dice& dice) {
   auto faces = face_list(mesh);
   for (auto& corners : faces) {
     const int shift = dice.between(0, static_cast<int>(corners.size()) - 1);
@@ -60,7 +60,7 @@ Mesh with_corners_rotated(const Mesh& mesh, Dice& dice) {
   return rebuilt(mesh.vertices, faces);
 }
 
-Mesh mirrored(const Mesh& mesh) {
+Mesh mirrored(const PolygonMesh& mesh) {
   std::vector<Point3> vertices;
   for (const Point3& p : mesh.vertices) vertices.push_back(flipped(p));
   auto faces = face_list(mesh);
@@ -85,8 +85,8 @@ Camera rolled(const Camera& camera) {
   return result;
 }
 
-Outcome outcome(const Mesh& mesh, const View& view) {
-  return {visible_areas(mesh, view), view.segments.segments.size(), view.polygons.polygons.size(),
+Outcome outcome(const View& view) {
+  return {visible_areas(view), view.segments.segments.size(), view.polygons.polygons.size(),
           view.polygons.ring_count()};
 }
 

@@ -11,12 +11,12 @@ struct Shuffled {
   Mesh mesh;
   std::vector<std::size_t> order;
 };
-[[nodiscard]] Shuffled with_faces_shuffled(const Mesh& mesh, Dice& dice);
+[[nodiscard]] Shuffled with_faces_shuffled(const PolygonMesh& mesh, Dice& dice);
 
-[[nodiscard]] Mesh with_corners_rotated(const Mesh& mesh, Dice& dice);
+[[nodiscard]] Mesh with_corners_rotated(const PolygonMesh& mesh, Dice& dice);
 
 // x becomes -x, and corners run the other way round. Seen by the mirrored camera the image is mirrored: left is right.
-[[nodiscard]] Mesh mirrored(const Mesh& mesh);
+[[nodiscard]] Mesh mirrored(const PolygonMesh& mesh);
 [[nodiscard]] Camera mirrored(const Camera& camera);
 
 // The camera turned by a quarter about its view direction: what was to the right is up.
@@ -29,7 +29,7 @@ struct Outcome {
   std::size_t polygons = 0;
   std::size_t rings = 0;
 };
-[[nodiscard]] Outcome outcome(const Mesh& mesh, const View& view);
+[[nodiscard]] Outcome outcome(const View& view);
 
 [[nodiscard]] Complaints differences(const Outcome& before, const Outcome& after);
 

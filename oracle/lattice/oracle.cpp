@@ -81,7 +81,8 @@ void stack(std::vector<Tower>& standing, std::vector<Tower> next, const Fraction
   standing = std::move(next);
 }
 
-std::vector<CameraPoint> in_camera_space(const Mesh& mesh, std::span<const VertexId> corners, const Camera& camera) {
+std::vector<CameraPoint> in_camera_space(const PolygonMesh& mesh, std::span<const VertexId> corners,
+                                         const Camera& camera) {
   std::vector<CameraPoint> result;
   for (const VertexId v : corners) result.push_back(to_camera_space(camera, mesh.position(v)));
   return result;
@@ -132,7 +133,7 @@ Rational in_grid_units(const Rational& area, int grid_bits) {
   return area * unit * unit;
 }
 
-std::vector<OracleFace> oracle_faces(const Mesh& mesh, const Camera& camera, Sides sides) {
+std::vector<OracleFace> oracle_faces(const PolygonMesh& mesh, const Camera& camera, Sides sides) {
   std::vector<OracleFace> faces;
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
     const FaceId face(f);

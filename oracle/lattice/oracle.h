@@ -36,7 +36,7 @@ struct Visibility {
 
 // The oracle's faces of a mesh: planar faces whole, others by facet; faces that do not count (skipped, edge-on,
 // outside, culled) left out.
-[[nodiscard]] std::vector<OracleFace> oracle_faces(const Mesh& mesh, const Camera& camera, Sides sides);
+[[nodiscard]] std::vector<OracleFace> oracle_faces(const PolygonMesh& mesh, const Camera& camera, Sides sides);
 
 // Points of the image where a corner lies or edges cross, and how many of them are more than one event at once: corners
 // that are apart in space, a corner on an edge, more than two edges that cross in one point. Equal edges count once.

@@ -17,7 +17,7 @@ struct Meetings {
   std::map<MeshEdgeId, Wholes> along;
 };
 
-Meetings meetings(const Mesh& mesh) {
+Meetings meetings(const CutMesh& mesh) {
   Meetings result;
   for (std::size_t f = 0; f < mesh.facet_count(); ++f) {
     const WholeId whole = mesh.cuts.whole_of[f];
@@ -36,11 +36,11 @@ Meetings meetings(const Mesh& mesh) {
   return result;
 }
 
-bool cross(const Mesh& mesh, WholeId a, WholeId b) {
+bool cross(const CutMesh& mesh, WholeId a, WholeId b) {
   return std::ranges::binary_search(mesh.cuts.crossing, std::array{std::min(a, b), std::max(a, b)});
 }
 
-bool three_cross(const Mesh& mesh, const Wholes& wholes) {
+bool three_cross(const CutMesh& mesh, const Wholes& wholes) {
   for (const WholeId a : wholes) {
     for (const WholeId b : wholes) {
       if (a < b && cross(mesh, a, b) &&
@@ -51,7 +51,7 @@ bool three_cross(const Mesh& mesh, const Wholes& wholes) {
   return false;
 }
 
-bool edges_of_two_that_cross(const Mesh& mesh, const std::map<InputEdge, Wholes>& edges) {
+bool edges_of_two_that_cross(const CutMesh& mesh, const std::map<InputEdge, Wholes>& edges) {
   const auto cross_each_other = [&](const auto& e, const auto& f) {
     return std::ranges::any_of(e.second, [&](WholeId a) {
       return std::ranges::any_of(f.second, [&](WholeId b) { return a != b && cross(mesh, a, b); });
@@ -62,7 +62,7 @@ bool edges_of_two_that_cross(const Mesh& mesh, const std::map<InputEdge, Wholes>
   });
 }
 
-bool is_of_several(const Mesh& mesh, WholeId whole) {
+bool is_of_several(const CutMesh& mesh, WholeId whole) {
   const FaceId face = mesh.facet_face[mesh.cuts.first_facet[whole.index()].index()];
   const WholeId first = mesh.cuts.whole_of[mesh.face_facet[face.index()].index()];
   const WholeId last = mesh.cuts.whole_of[mesh.face_facet[face.index() + 1].index() - 1];
@@ -71,7 +71,7 @@ bool is_of_several(const Mesh& mesh, WholeId whole) {
 
 }  // namespace
 
-CrossingKinds crossing_kinds(const Mesh& cut) {
+CrossingKinds crossing_kinds(const CutMesh& cut) {
   if (!cut.is_cut()) return {};
   const Meetings found = meetings(cut);
   const auto of = [](const auto& entry) -> const auto& { return entry.second; };

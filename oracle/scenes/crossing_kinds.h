@@ -4,7 +4,7 @@
 // Source: none; the generator of crossing scenes is held to them.
 #pragma once
 
-#include "geometry/mesh/mesh.h"
+#include "geometry/mesh/cut_mesh.h"
 
 namespace sightline::lattice {
 
@@ -15,6 +15,6 @@ struct CrossingKinds {
   bool concave = false;            // a facet of a concave face passes through another face
 };
 
-[[nodiscard]] CrossingKinds crossing_kinds(const Mesh& cut);
+[[nodiscard]] CrossingKinds crossing_kinds(const CutMesh& cut);
 
 }  // namespace sightline::lattice

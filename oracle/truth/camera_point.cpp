@@ -53,7 +53,7 @@ int handedness_of(const WholeVector& right, const WholeVector& up, const WholeVe
 
 }  // namespace
 
-ExactCamera exact_camera(const Mesh& mesh, const Camera& camera) {
+ExactCamera exact_camera(const PolygonMesh& mesh, const Camera& camera) {
   std::vector<Vector3> positions = mesh.vertices;
   positions.push_back(camera.origin);
   const int row_unit = common_unit({camera.right, camera.up, camera.forward});

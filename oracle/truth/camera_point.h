@@ -37,7 +37,7 @@ struct ExactCamera {
 };
 
 // For the vertices of a mesh.
-[[nodiscard]] ExactCamera exact_camera(const Mesh& mesh, const Camera& camera);
+[[nodiscard]] ExactCamera exact_camera(const PolygonMesh& mesh, const Camera& camera);
 
 [[nodiscard]] CameraPoint camera_point(const ExactCamera& camera, const Point3& v);
 

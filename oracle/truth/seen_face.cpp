@@ -69,7 +69,7 @@ Outline cut_to_view(const Outline& outline, const Plane& plane, const Camera& ca
 
 class Collector {
  public:
-  Collector(const Mesh& mesh, const Camera& camera, Sides sides)
+  Collector(const PolygonMesh& mesh, const Camera& camera, Sides sides)
       : mesh_(mesh), camera_(camera), sides_(sides), exact_(exact_camera(mesh, camera)) {}
 
   void add(FaceId face, std::span<const VertexId> polygon) {
@@ -95,7 +95,7 @@ class Collector {
     if (!outline.empty()) faces.push_back({face, plane, outline});
   }
 
-  const Mesh& mesh_;
+  const PolygonMesh& mesh_;
   const Camera& camera_;
   Sides sides_;
   ExactCamera exact_;
@@ -103,7 +103,7 @@ class Collector {
 
 }  // namespace
 
-std::vector<SeenFace> seen_faces(const Mesh& mesh, const Camera& camera, Sides sides) {
+std::vector<SeenFace> seen_faces(const PolygonMesh& mesh, const Camera& camera, Sides sides) {
   Collector collector(mesh, camera, sides);
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
     const FaceId face(f);

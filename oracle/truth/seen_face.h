@@ -28,7 +28,7 @@ struct SeenFace {
   Outline outline;  // counter-clockwise
 };
 
-[[nodiscard]] std::vector<SeenFace> seen_faces(const Mesh& mesh, const Camera& camera, Sides sides);
+[[nodiscard]] std::vector<SeenFace> seen_faces(const PolygonMesh& mesh, const Camera& camera, Sides sides);
 
 // The line of equal depth, p being nearer on its inner side; zero where they are one plane.
 [[nodiscard]] Line where_nearer(const Plane& p, const Plane& q);

@@ -86,11 +86,11 @@ Rational rightly_claimed(std::vector<Shape> shapes, const std::vector<Shape>& cl
 
 }  // namespace
 
-Truth true_visibility(const Mesh& mesh, const Camera& camera, Sides sides) {
+Truth true_visibility(const PolygonMesh& mesh, const Camera& camera, Sides sides) {
   return truth_of(seen_faces(mesh, camera, sides), mesh.face_count());
 }
 
-Comparison compare(const Mesh& mesh, const Camera& camera, Sides sides, const std::vector<Claim>& claims) {
+Comparison compare(const PolygonMesh& mesh, const Camera& camera, Sides sides, const std::vector<Claim>& claims) {
   const std::vector<SeenFace> faces = seen_faces(mesh, camera, sides);
   const std::vector<Shape> claimed = claimed_shapes(claims, mesh.face_count());
   Rational right = rightly_claimed(window_and_faces(faces), claimed, claimed.size());

@@ -34,7 +34,7 @@ struct Truth {
   Rational uncovered;
 };
 
-[[nodiscard]] Truth true_visibility(const Mesh& mesh, const Camera& camera, Sides sides);
+[[nodiscard]] Truth true_visibility(const PolygonMesh& mesh, const Camera& camera, Sides sides);
 
 // The claim that a face is visible where the rings' winding number is positive: outer rings run counter-clockwise,
 // holes clockwise. All rings of a face count together, whether they come in one claim or in several.
@@ -51,6 +51,7 @@ struct Comparison {
 };
 
 // Precondition: claims name faces of the mesh.
-[[nodiscard]] Comparison compare(const Mesh& mesh, const Camera& camera, Sides sides, const std::vector<Claim>& claims);
+[[nodiscard]] Comparison compare(const PolygonMesh& mesh, const Camera& camera, Sides sides,
+                                 const std::vector<Claim>& claims);
 
 }  // namespace sightline::oracle

@@ -151,7 +151,7 @@ void refuse_cuts_by_bounds(const FlatScene& scene) {
   }
 }
 
-VisibleLines visible_lines(const Mesh& mesh, const std::vector<SceneLine>& lines,
+VisibleLines visible_lines(const CutMesh& mesh, const std::vector<SceneLine>& lines,
                            const std::vector<LinePiece>& pieces) {
   VisibleLines visible;
   for (const LinePiece& piece : pieces) {

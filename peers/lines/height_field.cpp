@@ -22,7 +22,7 @@ bool is_upright(const Camera& camera, int height_axis) {
   return camera.projection == Projection::orthographic || coordinate(camera.forward, height_axis) == 0;
 }
 
-bool is_before_eye(const Mesh& mesh, const HeightGrid& grid, const Camera& camera) {
+bool is_before_eye(const CutMesh& mesh, const HeightGrid& grid, const Camera& camera) {
   if (camera.projection == Projection::orthographic) return true;
   return std::all_of(grid.vertices.begin(), grid.vertices.end(),
                      [&](VertexId v) { return dot(camera.forward, mesh.position(v) - camera.origin) > 0; });
@@ -46,7 +46,7 @@ std::optional<Order> order_of(const Camera& camera, const HeightGrid& grid) {
 }
 
 // nullptr where there is none.
-const char* reason_against(const Mesh& mesh, const HeightGrid& grid, const Camera& camera) {
+const char* reason_against(const CutMesh& mesh, const HeightGrid& grid, const Camera& camera) {
   if (!is_upright(camera, grid.height_axis)) return not_upright;
   if (!is_before_eye(mesh, grid, camera)) return behind_eye;
   return order_of(camera, grid) ? nullptr : no_order;
@@ -64,7 +64,7 @@ std::vector<std::vector<VertexId>> polylines_of(const HeightGrid& grid, const Or
 }
 
 // The edges that join polylines, by the nearer one.
-std::vector<std::vector<std::array<VertexId, 2>>> joins_of(const Mesh& mesh,
+std::vector<std::vector<std::array<VertexId, 2>>> joins_of(const CutMesh& mesh,
                                                            const std::vector<std::vector<VertexId>>& polylines) {
   std::vector<std::size_t> polyline_of(mesh.vertices.size());
   for (std::size_t i = 0; i < polylines.size(); ++i) {
@@ -90,7 +90,7 @@ void refuse_what_is_left_out(const ProjectedScene& scene) {
 }  // namespace
 
 HeightField height_field(const FlatScene& scene) {
-  const Mesh& mesh = *scene.mesh;
+  const CutMesh& mesh = *scene.mesh;
   refuse_what_is_left_out(*scene.projected);
   const char* reason = no_height_field;
   for (const int height_axis : {1, 2, 0}) {

@@ -6,7 +6,7 @@
 namespace sightline::peers {
 namespace {
 
-std::vector<VertexId> used_vertices(const Mesh& mesh) {
+std::vector<VertexId> used_vertices(const CutMesh& mesh) {
   std::vector<VertexId> used;
   for (const VertexId v : mesh.facets.corners) used.push_back(mesh.weld[v.index()]);
   std::sort(used.begin(), used.end());
@@ -14,7 +14,7 @@ std::vector<VertexId> used_vertices(const Mesh& mesh) {
   return used;
 }
 
-std::vector<double> values_along(const Mesh& mesh, const std::vector<VertexId>& vertices, int axis) {
+std::vector<double> values_along(const CutMesh& mesh, const std::vector<VertexId>& vertices, int axis) {
   std::vector<double> values;
   for (const VertexId v : vertices) values.push_back(coordinate(mesh.position(v), axis));
   std::sort(values.begin(), values.end());
@@ -35,7 +35,7 @@ GridPlace place_of(const HeightGrid& grid, const Point3& p) {
 }
 
 // False where the grid has a place without a vertex, or with two.
-bool set_vertices(HeightGrid& grid, const Mesh& mesh, const std::vector<VertexId>& vertices) {
+bool set_vertices(HeightGrid& grid, const CutMesh& mesh, const std::vector<VertexId>& vertices) {
   if (vertices.size() != grid.values[0].size() * grid.values[1].size()) return false;
   grid.vertices.resize(vertices.size());
   for (const VertexId v : vertices) {
@@ -63,7 +63,7 @@ CornerBits bit_of(bool is_far_first, bool is_far_second) {
 }
 
 // Nothing where the facet reaches over more than one cell.
-std::optional<CellPart> part_of(const HeightGrid& grid, const Mesh& mesh, FacetId facet) {
+std::optional<CellPart> part_of(const HeightGrid& grid, const CutMesh& mesh, FacetId facet) {
   GridPlace least{grid.values[0].size(), grid.values[1].size()};
   for (const VertexId v : mesh.corners(facet)) {
     const GridPlace place = place_of(grid, mesh.position(v));
@@ -84,7 +84,7 @@ bool are_halves(CornerBits a, CornerBits b) {
   return left_out == 0b0101 || left_out == 0b1010;
 }
 
-bool covers_cells_once(const HeightGrid& grid, const Mesh& mesh) {
+bool covers_cells_once(const HeightGrid& grid, const CutMesh& mesh) {
   std::vector<CellPart> parts;
   for (std::size_t f = 0; f < mesh.facet_count(); ++f) {
     const auto part = part_of(grid, mesh, FacetId(f));
@@ -107,7 +107,7 @@ bool covers_cells_once(const HeightGrid& grid, const Mesh& mesh) {
 
 }  // namespace
 
-std::optional<HeightGrid> height_grid(const Mesh& mesh, int height_axis) {
+std::optional<HeightGrid> height_grid(const CutMesh& mesh, int height_axis) {
   HeightGrid grid;
   grid.height_axis = height_axis;
   grid.ground_axes = {(height_axis + 1) % 3, (height_axis + 2) % 3};

@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-#include "geometry/mesh/mesh.h"
+#include "geometry/mesh/cut_mesh.h"
 
 namespace sightline::peers {
 
@@ -30,6 +30,6 @@ struct HeightGrid {
   }
 };
 
-[[nodiscard]] std::optional<HeightGrid> height_grid(const Mesh& mesh, int height_axis);
+[[nodiscard]] std::optional<HeightGrid> height_grid(const CutMesh& mesh, int height_axis);
 
 }  // namespace sightline::peers

@@ -48,18 +48,18 @@ bool covers(const FlatPolygon& polygon, const SceneLine& line, const Point2& p) 
   return winding != 0;
 }
 
-bool has_edge(const Mesh& mesh, const FlatPolygon& polygon, MeshEdgeId edge) {
+bool has_edge(const CutMesh& mesh, const FlatPolygon& polygon, MeshEdgeId edge) {
   const auto edges = mesh.edges_of(polygon.facet);
   return std::find(edges.begin(), edges.end(), edge) != edges.end();
 }
 
 // +1 beyond the polygon's plane, seen from the eye, -1 before it, 0 in it.
-Sign beyond(const Mesh& mesh, const FlatPolygon& polygon, VertexId vertex) {
+Sign beyond(const CutMesh& mesh, const FlatPolygon& polygon, VertexId vertex) {
   const Sign side = side_of_plane(mesh, polygon.facet, {mesh.position(vertex), 1});
   return polygon.is_front ? -side : side;
 }
 
-bool is_before(const Mesh& mesh, const FlatPolygon& polygon, const SceneLine& line, const Corner& p) {
+bool is_before(const CutMesh& mesh, const FlatPolygon& polygon, const SceneLine& line, const Corner& p) {
   const auto [first, second] = mesh.edges[line.edge.index()];
   const Sign low = std::min(beyond(mesh, polygon, first), beyond(mesh, polygon, second));
   const Sign high = std::max(beyond(mesh, polygon, first), beyond(mesh, polygon, second));

@@ -123,7 +123,7 @@ struct EdgeUse {
 
 // By mesh edge, then by facet.
 std::vector<EdgeUse> edge_uses(const FlatScene& scene) {
-  const Mesh& mesh = *scene.mesh;
+  const CutMesh& mesh = *scene.mesh;
   std::vector<EdgeUse> uses;
   for (const FlatPolygon& polygon : scene.polygons) {
     const auto corners = mesh.corners(polygon.facet);
@@ -181,7 +181,7 @@ std::vector<SceneLine> scene_lines(const FlatScene& scene) {
   return lines;
 }
 
-bool parts_surfaces(const Mesh& mesh, const SceneLine& line) {
+bool parts_surfaces(const CutMesh& mesh, const SceneLine& line) {
   return surface_of(mesh, line.left) != surface_of(mesh, line.right);
 }
 

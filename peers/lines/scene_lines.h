@@ -38,6 +38,6 @@ struct SceneLine {
 [[nodiscard]] std::vector<SceneLine> scene_lines(const FlatScene& scene);
 
 // Whether the line parts two surfaces: false inside a planar face that was cut into several polygons.
-[[nodiscard]] bool parts_surfaces(const Mesh& mesh, const SceneLine& line);
+[[nodiscard]] bool parts_surfaces(const CutMesh& mesh, const SceneLine& line);
 
 }  // namespace sightline::peers

@@ -50,7 +50,7 @@ void obstruct(Object& behind, const Part& in_front) {
   }
 }
 
-void compare(Object& a, Object& b, const Mesh& mesh, Pairs& pairs) {
+void compare(Object& a, Object& b, const CutMesh& mesh, Pairs& pairs) {
   ++pairs.compared;
   if (!extents_overlap(a.projection.extent, b.projection.extent)) return;
   ++pairs.extents_overlap;

@@ -50,7 +50,7 @@ void find_hidden_triangles(Structures& s, Work& work) {
 }
 
 // T_closer, each by its projection.
-Projections closer_triangles(const Structures& s, const Triangle& t, const Mesh& mesh) {
+Projections closer_triangles(const Structures& s, const Triangle& t, const CutMesh& mesh) {
   const ConvexRing projection = s.projection(t);
   Projections closer;
   for (const Triangle& other : s.T) {
@@ -103,7 +103,7 @@ Points points_of_visible_triangles(const Points& points, const Projections& clos
 }
 
 // Algorithm 3.5 for one partly visible triangle. Depths on its plane take the place of 3D positions (line 11).
-void retriangulate(Structures& s, std::size_t index, const Mesh& mesh, Work& work) {
+void retriangulate(Structures& s, std::size_t index, const CutMesh& mesh, Work& work) {
   const FlatPolygon& polygon = *s.T[index].polygon;
   const ConvexRing triangle = s.projection(s.T[index]);
   const Projections closer = closer_triangles(s, s.T[index], mesh);
@@ -116,7 +116,7 @@ void retriangulate(Structures& s, std::size_t index, const Mesh& mesh, Work& wor
 }
 
 // The new triangles are in T, too, for those that are retriangulated after them.
-void retriangulate_partly_visible(Structures& s, const Mesh& mesh, Work& work) {
+void retriangulate_partly_visible(Structures& s, const CutMesh& mesh, Work& work) {
   const std::size_t count = s.T.size();
   for (std::size_t t = 0; t < count; ++t) {
     if (!s.T[t].partly_visible) continue;

@@ -1,18 +1,17 @@
 #include "peers/painters/sweep_peers.h"
 
 #include "peers/scene/exact_parts.h"
-#include "sweep/engine.h"
+#include "sightline/analyzer.h"
 
 namespace sightline::peers {
 namespace {
 
 template <Arithmetic arithmetic, int grid_bits>
 Outcome run_sweep(const FlatScene& flat, int /*resolution*/) {
-  const Mesh& mesh = *flat.mesh;
-  const ProjectedScene scene =
-      project(mesh, flat.projected->camera, flat.projected->sides_shown, {arithmetic, grid_bits});
-  const VisibleSegments segments = find_visible_segments(mesh, scene);
-  const VisiblePolygons polygons = reconstruct_polygons(mesh, scene, segments);
+  const ProjectedScene& projected = *flat.projected;
+  const Analyzer analyzer(projected.surface,
+                          {.sides = policy_of(projected.sides_shown), .precision = {arithmetic, grid_bits}});
+  const auto [sides, scene, segments, polygons] = analyzer.visible(projected.camera);
   Outcome outcome{visible_parts(scene, segments, polygons), {}};
   outcome.counts.push_back({"sweep points", segments.statistics.sweep_points});
   outcome.counts.push_back({"crossings", segments.statistics.crossings});

@@ -7,7 +7,7 @@ namespace sightline::peers {
 namespace {
 
 // Newell's normal (slides 001) of the corners, taken relative to the first of them.
-Vector3 normal_of(const Mesh& mesh, FacetId facet) {
+Vector3 normal_of(const CutMesh& mesh, FacetId facet) {
   const auto corners = mesh.corners(facet);
   const Point3& first = mesh.position(corners.front());
   Vector3 normal;
@@ -57,7 +57,8 @@ std::vector<Corner> corners_of(const ProjectedScene& scene, FacetId facet, const
 
 }  // namespace
 
-FlatScene flat_scene(const Mesh& mesh, const ProjectedScene& scene) {
+FlatScene flat_scene(const ProjectedScene& scene) {
+  const CutMesh& mesh = scene.mesh();
   FlatScene flat{&mesh, &scene, {}};
   const Frame frame = frame_of(scene.camera);
   for (std::size_t f = 0; f < mesh.facet_count(); ++f) {

@@ -52,13 +52,13 @@ struct FlatPolygon {
 };
 
 struct FlatScene {
-  const Mesh* mesh = nullptr;
+  const CutMesh* mesh = nullptr;
   const ProjectedScene* projected = nullptr;
   std::vector<FlatPolygon> polygons;
 };
 
 // The mesh and the projected scene must live as long as the result is used.
-[[nodiscard]] FlatScene flat_scene(const Mesh& mesh, const ProjectedScene& scene);
+[[nodiscard]] FlatScene flat_scene(const ProjectedScene& scene);
 
 [[nodiscard]] Extent extent_of(const std::vector<Corner>& corners);
 

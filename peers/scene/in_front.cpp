@@ -8,7 +8,7 @@
 namespace sightline::peers {
 namespace {
 
-bool lie_in_one_plane(const Mesh& mesh, FacetId a, FacetId b) {
+bool lie_in_one_plane(const CutMesh& mesh, FacetId a, FacetId b) {
   const auto corners = plane_corners(mesh, b);
   return std::all_of(corners.begin(), corners.end(), [&](VertexId v) {
     return side_of_plane(mesh, a, {mesh.position(v), 1}) == 0;
@@ -27,7 +27,7 @@ double largest_difference(const DepthPlane& a, const DepthPlane& b, const Convex
 
 }  // namespace
 
-bool is_in_front(const FlatPolygon& a, const FlatPolygon& b, const ConvexRing& overlap, const Mesh& mesh) {
+bool is_in_front(const FlatPolygon& a, const FlatPolygon& b, const ConvexRing& overlap, const CutMesh& mesh) {
   const double farther = largest_difference(a.plane, b.plane, overlap);
   if (farther == 0 || lie_in_one_plane(mesh, a.facet, b.facet)) return a.facet < b.facet;
   return farther < 0;

@@ -15,6 +15,7 @@
 
 namespace sightline::peers {
 
-[[nodiscard]] bool is_in_front(const FlatPolygon& a, const FlatPolygon& b, const ConvexRing& overlap, const Mesh& mesh);
+[[nodiscard]] bool is_in_front(const FlatPolygon& a, const FlatPolygon& b, const ConvexRing& overlap,
+                               const CutMesh& mesh);
 
 }  // namespace sightline::peers

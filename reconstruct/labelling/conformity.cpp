@@ -74,7 +74,7 @@ std::vector<VertexId> weld(const std::vector<Point3>& vertices) {
 
 class Conformity {
  public:
-  Conformity(const LabelledMesh& labelled, const Mesh& mesh, std::vector<std::string>& messages)
+  Conformity(const LabelledMesh& labelled, const PolygonMesh& mesh, std::vector<std::string>& messages)
       : labelled_(labelled),
         mesh_(mesh),
         messages_(messages),
@@ -203,7 +203,7 @@ class Conformity {
   }
 
   const LabelledMesh& labelled_;
-  const Mesh& mesh_;
+  const PolygonMesh& mesh_;
   std::vector<std::string>& messages_;
   std::vector<VertexId> weld_;
   std::vector<std::size_t> first_triangle_;    // per face and one more
@@ -213,7 +213,7 @@ class Conformity {
 
 }  // namespace
 
-void check_conformity(const LabelledMesh& labelled, const Mesh& mesh, std::vector<std::string>& messages) {
+void check_conformity(const LabelledMesh& labelled, const PolygonMesh& mesh, std::vector<std::string>& messages) {
   Conformity(labelled, mesh, messages).run();
 }
 

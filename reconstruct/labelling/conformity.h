@@ -20,6 +20,6 @@
 
 namespace sightline::inline reconstruct {
 
-void check_conformity(const LabelledMesh& labelled, const Mesh& mesh, std::vector<std::string>& messages);
+void check_conformity(const LabelledMesh& labelled, const PolygonMesh& mesh, std::vector<std::string>& messages);
 
 }  // namespace sightline::inline reconstruct

@@ -8,11 +8,11 @@
 
 namespace sightline::inline reconstruct {
 
-EdgePoints::EdgePoints(const Mesh& mesh, const ProjectedScene& scene, const VisibleSegments& segments,
-                       const ImagePoints& points, std::vector<Point3>& vertices)
-    : slot_(mesh.edges.size(), 0), begin_(mesh.edges.size() + 1, 0) {
+EdgePoints::EdgePoints(const ProjectedScene& scene, const VisibleSegments& segments, const ImagePoints& points,
+                       std::vector<Point3>& vertices)
+    : slot_(scene.mesh().edges.size(), 0), begin_(scene.mesh().edges.size() + 1, 0) {
   auto found = candidates(scene, segments);
-  find_in_view(mesh, scene, found);
+  find_in_view(scene, found);
   std::sort(found.begin(), found.end(), [&](const Candidate& a, const Candidate& b) {
     if (a.edge != b.edge) return a.edge < b.edge;
     if (a.point != b.point) return before_on_edge(a, b, points);
@@ -25,7 +25,7 @@ EdgePoints::EdgePoints(const Mesh& mesh, const ProjectedScene& scene, const Visi
   for (std::size_t i = 0; i < found.size(); ++i) {
     if (i > 0 && found[i].edge == found[i - 1].edge && found[i].point == found[i - 1].point) continue;
     points_.push_back({found[i].point, VertexId(vertices.size())});
-    vertices.push_back(position(found[i], mesh, scene, points));
+    vertices.push_back(position(found[i], scene, points));
     ++begin_[found[i].edge.index() + 1];
   }
   for (std::size_t e = 1; e < begin_.size(); ++e) begin_[e] += begin_[e - 1];
@@ -38,19 +38,19 @@ VertexId EdgePoints::vertex(MeshEdgeId edge, PointId p) const {
   throw InternalError("mesh edge " + std::to_string(edge.value) + " is not split at point " + std::to_string(p.value));
 }
 
-void EdgePoints::find_in_view(const Mesh& mesh, const ProjectedScene& scene, const std::vector<Candidate>& found) {
+void EdgePoints::find_in_view(const ProjectedScene& scene, const std::vector<Candidate>& found) {
   for (const Candidate& candidate : found) {
     std::uint32_t& slot = slot_[candidate.edge.index()];
     if (slot != 0) continue;
-    in_view_.push_back(in_view_of(mesh, scene, candidate.edge, candidate.facet));
+    in_view_.push_back(in_view_of(scene, candidate.edge, candidate.facet));
     slot = static_cast<std::uint32_t>(in_view_.size());
   }
 }
 
 // A facet runs along its edges from corner to corner; clipping keeps that direction. Nothing is in view of an edge that only
 // touches the view volume.
-EdgePoints::InView EdgePoints::in_view_of(const Mesh& mesh, const ProjectedScene& scene, MeshEdgeId edge,
-                                          FacetId facet) {
+EdgePoints::InView EdgePoints::in_view_of(const ProjectedScene& scene, MeshEdgeId edge, FacetId facet) {
+  const CutMesh& mesh = scene.mesh();
   const auto polygon = scene.polygon(facet);
   const auto from = std::ranges::find(polygon, edge, &ClippedCorner::edge_after);
   if (from == polygon.end()) return {};
@@ -81,11 +81,10 @@ bool EdgePoints::before_on_edge(const Candidate& a, const Candidate& b, const Im
   return downwards ? points.sweeps_before(a.point, b.point) : points.sweeps_before(b.point, a.point);
 }
 
-Point3 EdgePoints::position(const Candidate& c, const Mesh& mesh, const ProjectedScene& scene,
-                            const ImagePoints& points) const {
+Point3 EdgePoints::position(const Candidate& c, const ProjectedScene& scene, const ImagePoints& points) const {
   if (c.made != nullptr) return c.made->position;
   const InView& view = in_view(c.edge);
-  return lift_on_edge(mesh, scene, points, *view.from, *view.to, c.point);
+  return lift_on_edge(scene, points, *view.from, *view.to, c.point);
 }
 
 }  // namespace sightline::inline reconstruct

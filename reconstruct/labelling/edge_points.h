@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "geometry/mesh/mesh.h"
+#include "geometry/mesh/cut_mesh.h"
 #include "geometry/projection/projected_scene.h"
 #include "sweep/segments/image_points.h"
 #include "sweep/segments/visible_segments.h"
@@ -25,7 +25,7 @@ struct EdgePoint {
 class EdgePoints {
  public:
   // Appends the new vertices to `vertices`, which begins with the mesh's.
-  EdgePoints(const Mesh& mesh, const ProjectedScene& scene, const VisibleSegments& segments, const ImagePoints& points,
+  EdgePoints(const ProjectedScene& scene, const VisibleSegments& segments, const ImagePoints& points,
              std::vector<Point3>& vertices);
 
   // From the edge's first end to its second.
@@ -49,12 +49,11 @@ class EdgePoints {
     const MadeCorner* made = nullptr;  // where clipping made it
   };
 
-  void find_in_view(const Mesh& mesh, const ProjectedScene& scene, const std::vector<Candidate>& found);
-  [[nodiscard]] static InView in_view_of(const Mesh& mesh, const ProjectedScene& scene, MeshEdgeId edge, FacetId facet);
+  void find_in_view(const ProjectedScene& scene, const std::vector<Candidate>& found);
+  [[nodiscard]] static InView in_view_of(const ProjectedScene& scene, MeshEdgeId edge, FacetId facet);
   [[nodiscard]] static std::vector<Candidate> candidates(const ProjectedScene& scene, const VisibleSegments& segments);
   [[nodiscard]] bool before_on_edge(const Candidate& a, const Candidate& b, const ImagePoints& points) const;
-  [[nodiscard]] Point3 position(const Candidate& c, const Mesh& mesh, const ProjectedScene& scene,
-                                const ImagePoints& points) const;
+  [[nodiscard]] Point3 position(const Candidate& c, const ProjectedScene& scene, const ImagePoints& points) const;
 
   [[nodiscard]] const InView& in_view(MeshEdgeId edge) const { return in_view_[slot_[edge.index()] - 1]; }
 

@@ -92,9 +92,9 @@ bool is_narrow(const std::array<Point3, 3>& corners, const ProjectedScene& scene
 
 class FaceCheck {
  public:
-  FaceCheck(const LabelledMesh& labelled, const Mesh& mesh, const Mesh& uncut, const ProjectedScene& scene,
+  FaceCheck(const LabelledMesh& labelled, const PolygonMesh& uncut, const ProjectedScene& scene,
             std::vector<std::string>& messages)
-      : labelled_(labelled), mesh_(mesh), uncut_(uncut), scene_(scene), messages_(messages) {}
+      : labelled_(labelled), mesh_(scene.mesh()), uncut_(uncut), scene_(scene), messages_(messages) {}
 
   // Of all the triangles, those from first to end.
   void run(FaceId face, std::size_t first, std::size_t end) {
@@ -180,8 +180,8 @@ class FaceCheck {
   [[nodiscard]] ScaledTriangle scaled(const std::array<Point3, 3>& p) const { return {p[0], p[1], p[2], exponent_}; }
 
   const LabelledMesh& labelled_;
-  const Mesh& mesh_;
-  const Mesh& uncut_;
+  const CutMesh& mesh_;
+  const PolygonMesh& uncut_;
   const ProjectedScene& scene_;
   std::vector<std::string>& messages_;
   int exponent_ = 0;
@@ -193,9 +193,9 @@ class FaceCheck {
 
 }  // namespace
 
-void check_face_areas(const LabelledMesh& labelled, const Mesh& mesh, const Mesh& uncut, const ProjectedScene& scene,
+void check_face_areas(const LabelledMesh& labelled, const PolygonMesh& uncut, const ProjectedScene& scene,
                       std::vector<std::string>& messages) {
-  FaceCheck check(labelled, mesh, uncut, scene, messages);
+  FaceCheck check(labelled, uncut, scene, messages);
   std::size_t first = 0;
   for (std::size_t f = 0; f < uncut.face_count(); ++f) {
     std::size_t end = first;

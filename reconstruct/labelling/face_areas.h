@@ -26,7 +26,7 @@
 
 namespace sightline::inline reconstruct {
 
-void check_face_areas(const LabelledMesh& labelled, const Mesh& mesh, const Mesh& uncut, const ProjectedScene& scene,
+void check_face_areas(const LabelledMesh& labelled, const PolygonMesh& uncut, const ProjectedScene& scene,
                       std::vector<std::string>& messages);
 
 }  // namespace sightline::inline reconstruct

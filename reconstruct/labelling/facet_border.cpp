@@ -7,7 +7,7 @@ namespace sightline::inline reconstruct {
 namespace {
 
 // The points of an edge in the direction in which the facet runs through it.
-std::vector<EdgePoint> along(const Mesh& mesh, const EdgePoints& edge_points, MeshEdgeId edge, VertexId from) {
+std::vector<EdgePoint> along(const CutMesh& mesh, const EdgePoints& edge_points, MeshEdgeId edge, VertexId from) {
   const auto on_edge = edge_points.on(edge);
   std::vector<EdgePoint> result(on_edge.begin(), on_edge.end());
   if (mesh.weld[from.index()] != mesh.edges[edge.index()][0]) std::reverse(result.begin(), result.end());
@@ -26,7 +26,7 @@ void drop_repeated(std::vector<Point>& border, VertexOf vertex_of) {
 
 }  // namespace
 
-std::vector<std::uint32_t> straight_sides(const Mesh& mesh, std::span<const VertexId> corners) {
+std::vector<std::uint32_t> straight_sides(const CutMesh& mesh, std::span<const VertexId> corners) {
   const std::size_t n = corners.size();
   std::vector<std::uint32_t> side(n);
   for (std::uint32_t i = 0; i < n; ++i) side[i] = i;
@@ -41,7 +41,7 @@ std::vector<std::uint32_t> straight_sides(const Mesh& mesh, std::span<const Vert
   return side;
 }
 
-std::vector<BorderPoint> facet_border(const Mesh& mesh, const EdgePoints& edge_points, FacetId facet) {
+std::vector<BorderPoint> facet_border(const CutMesh& mesh, const EdgePoints& edge_points, FacetId facet) {
   const auto corners = mesh.corners(facet);
   const auto edges = mesh.edges_of(facet);
   const auto sides = straight_sides(mesh, mesh.corners(facet));
@@ -63,7 +63,7 @@ struct PieceEdge {
 };
 
 // Those on the border of a whole: inside it each edge has two pieces.
-std::vector<PieceEdge> border_edges(const Mesh& mesh, WholeId whole) {
+std::vector<PieceEdge> border_edges(const CutMesh& mesh, WholeId whole) {
   std::vector<PieceEdge> edges;
   const auto& first = mesh.cuts.first_facet;
   for (std::size_t f = first[whole.index()].index(); f < first[whole.index() + 1].index(); ++f) {
@@ -84,7 +84,7 @@ std::vector<PieceEdge> border_edges(const Mesh& mesh, WholeId whole) {
 }
 
 // In order around the whole.
-std::vector<PieceEdge> linked(const Mesh& mesh, const std::vector<PieceEdge>& border, VertexId start) {
+std::vector<PieceEdge> linked(const CutMesh& mesh, const std::vector<PieceEdge>& border, VertexId start) {
   std::map<VertexId, PieceEdge> leaving;
   for (const PieceEdge& e : border) leaving[mesh.weld[e.from.index()]] = e;
   std::vector<PieceEdge> result;
@@ -97,7 +97,7 @@ std::vector<PieceEdge> linked(const Mesh& mesh, const std::vector<PieceEdge>& bo
 
 }  // namespace
 
-std::vector<BorderPoint> whole_border(const Mesh& mesh, const EdgePoints& edge_points, WholeId whole) {
+std::vector<BorderPoint> whole_border(const CutMesh& mesh, const EdgePoints& edge_points, WholeId whole) {
   const auto edges = linked(mesh, border_edges(mesh, whole), mesh.cuts.wholes[whole.index()].front());
   std::vector<VertexId> corners;
   for (const PieceEdge& e : edges) corners.push_back(e.from);
@@ -137,9 +137,10 @@ std::vector<PointId> splits_between(const ProjectedScene& scene, const ImagePoin
   return result;
 }
 
-std::vector<ViewBorderPoint> view_border(const Mesh& mesh, const ProjectedScene& scene, const ImagePoints& points,
+std::vector<ViewBorderPoint> view_border(const ProjectedScene& scene, const ImagePoints& points,
                                          const EdgePoints& edge_points, FacetId facet,
                                          std::span<const EdgeSplit> splits_of_view_border, InnerVertices& inner) {
+  const CutMesh& mesh = scene.mesh();
   const auto polygon = scene.polygon(facet);
   const auto corners = mesh.corners(facet);
   const auto edges = mesh.edges_of(facet);

@@ -1,6 +1,6 @@
 // The border of a facet as the labelled surface has it: its corners and all the points that split its edges.
 //
-// In:  mesh, scene, the points on mesh edges.
+// In:  scene, the points on mesh edges.
 // Out: borders in the facet's orientation, of the whole facet or of its part in view.
 // Holds: no vertex twice in a row; two lines have the same side exactly where they are on one straight line.
 #pragma once
@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "geometry/mesh/mesh.h"
+#include "geometry/mesh/cut_mesh.h"
 #include "geometry/projection/projected_scene.h"
 #include "reconstruct/labelling/edge_points.h"
 #include "reconstruct/triangulation/convex_pieces.h"
@@ -30,17 +30,17 @@ class InnerVertices {
 };
 
 // Per edge of a convex polygon: a number that edges on one straight line share.
-[[nodiscard]] std::vector<std::uint32_t> straight_sides(const Mesh& mesh, std::span<const VertexId> corners);
+[[nodiscard]] std::vector<std::uint32_t> straight_sides(const CutMesh& mesh, std::span<const VertexId> corners);
 
-[[nodiscard]] std::vector<BorderPoint> facet_border(const Mesh& mesh, const EdgePoints& edge_points, FacetId facet);
+[[nodiscard]] std::vector<BorderPoint> facet_border(const CutMesh& mesh, const EdgePoints& edge_points, FacetId facet);
 
 // The border of a facet before it was cut along common lines, with all points that its edges have now.
-[[nodiscard]] std::vector<BorderPoint> whole_border(const Mesh& mesh, const EdgePoints& edge_points, WholeId whole);
+[[nodiscard]] std::vector<BorderPoint> whole_border(const CutMesh& mesh, const EdgePoints& edge_points, WholeId whole);
 
 // With splits_of_view_border: the sweep's splits along the view volume's border are points, too.
-[[nodiscard]] std::vector<ViewBorderPoint> view_border(const Mesh& mesh, const ProjectedScene& scene,
-                                                       const ImagePoints& points, const EdgePoints& edge_points,
-                                                       FacetId facet, std::span<const EdgeSplit> splits_of_view_border,
+[[nodiscard]] std::vector<ViewBorderPoint> view_border(const ProjectedScene& scene, const ImagePoints& points,
+                                                       const EdgePoints& edge_points, FacetId facet,
+                                                       std::span<const EdgeSplit> splits_of_view_border,
                                                        InnerVertices& inner);
 
 // The vertex of a corner of a clipped polygon.

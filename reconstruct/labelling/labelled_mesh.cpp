@@ -62,9 +62,8 @@ LabelledMesh labelled_mesh(LabelSources from) {
 }
 
 // Labelling builds on what the stages before it promise, which float and double do not always keep.
-void require_valid(const Mesh& mesh, const ProjectedScene& scene, const VisibleSegments& segments,
-                   const VisiblePolygons& polygons) {
-  for (const auto& messages : {validate(segments, scene), validate(polygons, mesh, scene, segments)}) {
+void require_valid(const ProjectedScene& scene, const VisibleSegments& segments, const VisiblePolygons& polygons) {
+  for (const auto& messages : {validate(segments, scene), validate(polygons, scene, segments)}) {
     if (!messages.empty()) throw ArithmeticError(to_string(scene.arithmetic), messages.front());
   }
 }
@@ -85,11 +84,11 @@ const char* to_string(Label label) {
   return "";
 }
 
-LabelledMesh label_mesh(const Mesh& mesh, const ProjectedScene& scene, const VisibleSegments& segments,
-                        const VisiblePolygons& polygons, const PanelBorders& panels) {
-  if (scene.arithmetic != Arithmetic::exact) require_valid(mesh, scene, segments, polygons);
+LabelledMesh label_mesh(const ProjectedScene& scene, const VisibleSegments& segments, const VisiblePolygons& polygons,
+                        const PanelBorders& panels) {
+  if (scene.arithmetic != Arithmetic::exact) require_valid(scene, segments, polygons);
   return with_invariants_of(scene.arithmetic,
-                            [&] { return labelled_mesh(LabelSources(mesh, scene, segments, polygons, panels)); });
+                            [&] { return labelled_mesh(LabelSources(scene, segments, polygons, panels)); });
 }
 
 }  // namespace sightline::inline reconstruct

@@ -2,7 +2,7 @@
 //
 // In:  mesh, projected scene, visible segments and polygons, and what reflects panels.
 // Out: LabelledMesh.
-// Holds (validate(labelled, mesh, scene) checks it):
+// Holds (validate(labelled, scene) checks it):
 //   - the first vertices are the input's, bit for bit and in order;
 //   - the triangles of a face have its orientation, but for some that are narrower than the grid in the image, where
 //     rounding has bent what was straight; together they have its area;
@@ -21,7 +21,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/mesh/mesh.h"
+#include "geometry/mesh/cut_mesh.h"
 #include "geometry/projection/projected_scene.h"
 #include "reconstruct/polygons/visible_polygons.h"
 #include "sweep/segments/visible_segments.h"
@@ -56,11 +56,10 @@ struct LabelledMesh {
   std::vector<LabelledTriangle> triangles;  // by face, then by surface
 };
 
-[[nodiscard]] LabelledMesh label_mesh(const Mesh& mesh, const ProjectedScene& scene, const VisibleSegments& segments,
+[[nodiscard]] LabelledMesh label_mesh(const ProjectedScene& scene, const VisibleSegments& segments,
                                       const VisiblePolygons& polygons, const PanelBorders& panels = {});
 
 // What of the above does not hold, one line each, with the ids; empty for a valid value.
-[[nodiscard]] std::vector<std::string> validate(const LabelledMesh& labelled, const Mesh& mesh,
-                                                const ProjectedScene& scene);
+[[nodiscard]] std::vector<std::string> validate(const LabelledMesh& labelled, const ProjectedScene& scene);
 
 }  // namespace sightline::inline reconstruct

@@ -36,8 +36,8 @@ struct LiftedCorner {
   double weight = 1;  // perspective weight, W
 };
 
-LiftedCorner lifted(const Mesh& mesh, const ProjectedScene& scene, const ClippedCorner& corner) {
-  return {position_of(mesh, scene, corner), weight_of(scene, corner)};
+LiftedCorner lifted(const ProjectedScene& scene, const ClippedCorner& corner) {
+  return {position_of(scene, corner), weight_of(scene, corner)};
 }
 
 // The point at image fraction s between a and b: perspective weights turn it into the fraction on the edge.
@@ -61,7 +61,7 @@ Point3 in_triangle(const LiftedCorner& a, const LiftedCorner& b, const LiftedCor
 
 }  // namespace
 
-Point3 lift_on_edge(const Mesh& mesh, const ProjectedScene& scene, const ImagePoints& points, const ClippedCorner& a,
+Point3 lift_on_edge(const ProjectedScene& scene, const ImagePoints& points, const ClippedCorner& a,
                     const ClippedCorner& b, PointId p) {
   const ImagePoint& image_a = scene.point(a.point);
   const ImagePoint& image_b = scene.point(b.point);
@@ -72,12 +72,11 @@ Point3 lift_on_edge(const Mesh& mesh, const ProjectedScene& scene, const ImagePo
       std::abs(dx) > std::abs(dy)
           ? signed_quotient(exact.x - Wide512(image_a.x) * exact.denominator, Wide512(dx) * exact.denominator)
           : signed_quotient(exact.y - Wide512(image_a.y) * exact.denominator, Wide512(dy) * exact.denominator);
-  return between(lifted(mesh, scene, a), lifted(mesh, scene, b), s);
+  return between(lifted(scene, a), lifted(scene, b), s);
 }
 
 // The polygon as a fan of triangles around its first corner.
-std::optional<Point3> lift_on_facet(const Mesh& mesh, const ProjectedScene& scene, const ImagePoints& points,
-                                    FacetId facet, PointId p) {
+std::optional<Point3> lift_on_facet(const ProjectedScene& scene, const ImagePoints& points, FacetId facet, PointId p) {
   const auto polygon = scene.polygon(facet);
   const ExactPoint exact = points.exact(p);
   const auto image = [&](std::size_t i) { return scene.point(polygon[i].point); };
@@ -88,8 +87,7 @@ std::optional<Point3> lift_on_facet(const Mesh& mesh, const ProjectedScene& scen
                                        Wide512(turn * scaled_area(image(i + 1), image(0), exact)),
                                        Wide512(turn * scaled_area(image(0), image(i), exact))};
     if (areas[0] < 0 || areas[1] < 0 || areas[2] < 0) continue;
-    return in_triangle(lifted(mesh, scene, polygon[0]), lifted(mesh, scene, polygon[i]),
-                       lifted(mesh, scene, polygon[i + 1]), areas);
+    return in_triangle(lifted(scene, polygon[0]), lifted(scene, polygon[i]), lifted(scene, polygon[i + 1]), areas);
   }
   return std::nullopt;
 }

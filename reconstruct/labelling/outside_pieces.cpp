@@ -25,7 +25,7 @@ Sign sweep_compare(const FlatPoint& a, const FlatPoint& b) {
 // The plane without one axis, mirrored where the facet would be clockwise in it.
 class FlatPoints : public PlanarPoints {
  public:
-  FlatPoints(const Mesh& mesh, FacetId facet) {
+  FlatPoints(const CutMesh& mesh, FacetId facet) {
     const auto [a, b, c] = plane_corners(mesh, facet);
     for (axis_ = 0; turn_ == 0; ++axis_) {
       turn_ = orient2d(drop_axis(mesh.position(a), axis_), drop_axis(mesh.position(b), axis_),
@@ -78,9 +78,10 @@ class FlatPoints : public PlanarPoints {
 
 class OutsidePieces {
  public:
-  OutsidePieces(const Mesh& mesh, const ProjectedScene& scene, const ImagePoints& points, const EdgePoints& edge_points,
-                FacetId facet, std::span<const EdgeSplit> splits, InnerVertices& inner)
-      : scene_(scene), points_(points), facet_(facet), splits_(splits), inner_(inner), flat_(mesh, facet) {
+  OutsidePieces(const ProjectedScene& scene, const ImagePoints& points, const EdgePoints& edge_points, FacetId facet,
+                std::span<const EdgeSplit> splits, InnerVertices& inner)
+      : scene_(scene), points_(points), facet_(facet), splits_(splits), inner_(inner), flat_(scene.mesh(), facet) {
+    const CutMesh& mesh = scene.mesh();
     const auto polygon = clip(mesh, scene.camera, facet);
     for (std::size_t i = 0; i < polygon.size(); ++i) {
       flat_.add(polygon[i], corner_vertex(scene, scene.polygon(facet)[i], edge_points, inner), i);
@@ -157,11 +158,11 @@ class OutsidePieces {
 
 }  // namespace
 
-std::vector<std::array<VertexId, 3>> outside_pieces(const Mesh& mesh, const ProjectedScene& scene,
-                                                    const ImagePoints& points, const EdgePoints& edge_points,
-                                                    FacetId facet, std::span<const EdgeSplit> splits_of_view_border,
+std::vector<std::array<VertexId, 3>> outside_pieces(const ProjectedScene& scene, const ImagePoints& points,
+                                                    const EdgePoints& edge_points, FacetId facet,
+                                                    std::span<const EdgeSplit> splits_of_view_border,
                                                     InnerVertices& inner) {
-  return OutsidePieces(mesh, scene, points, edge_points, facet, splits_of_view_border, inner).run();
+  return OutsidePieces(scene, points, edge_points, facet, splits_of_view_border, inner).run();
 }
 
 }  // namespace sightline::inline reconstruct

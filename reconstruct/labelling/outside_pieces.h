@@ -10,13 +10,13 @@
 #include <array>
 #include <vector>
 
-#include "geometry/mesh/mesh.h"
+#include "geometry/mesh/cut_mesh.h"
 #include "geometry/projection/projected_scene.h"
 #include "reconstruct/labelling/facet_border.h"
 
 namespace sightline::inline reconstruct {
 
-[[nodiscard]] std::vector<std::array<VertexId, 3>> outside_pieces(const Mesh& mesh, const ProjectedScene& scene,
+[[nodiscard]] std::vector<std::array<VertexId, 3>> outside_pieces(const ProjectedScene& scene,
                                                                   const ImagePoints& points,
                                                                   const EdgePoints& edge_points, FacetId facet,
                                                                   std::span<const EdgeSplit> splits_of_view_border,

@@ -10,7 +10,8 @@ namespace sightline::inline reconstruct {
 namespace {
 
 // The corners of the rounded polygon at which the facet itself turns. Rounding may bend a straight side, within the grid.
-std::vector<ImagePoint> turning_points(const Mesh& mesh, const ProjectedScene& scene, FacetId facet) {
+std::vector<ImagePoint> turning_points(const ProjectedScene& scene, FacetId facet) {
+  const CutMesh& mesh = scene.mesh();
   const auto polygon = scene.polygon(facet);
   const auto edges = mesh.edges_of(facet);
   const std::vector<std::uint32_t> sides = straight_sides(mesh, mesh.corners(facet));
@@ -31,14 +32,15 @@ std::vector<ImagePoint> turning_points(const Mesh& mesh, const ProjectedScene& s
 
 }  // namespace
 
-bool is_proper(const Mesh& mesh, const ProjectedScene& scene, FacetId facet) {
+bool is_proper(const ProjectedScene& scene, FacetId facet) {
+  const CutMesh& mesh = scene.mesh();
   const Sign turn = scene.facing[facet.index()] == Facing::back ? -1 : 1;
   const auto polygon = scene.polygon(facet);
   if (polygon.size() == 3 && mesh.corners(facet).size() == 3) {
     return orientation(scene.point(polygon[0].point), scene.point(polygon[1].point), scene.point(polygon[2].point)) ==
            turn;
   }
-  const std::vector<ImagePoint> p = turning_points(mesh, scene, facet);
+  const std::vector<ImagePoint> p = turning_points(scene, facet);
   bool turns = false;
   int descents = 0;  // how often the border begins to run down the sweep order: once around a convex polygon
   for (std::size_t i = 0; i < p.size() && p.size() > 2; ++i) {

@@ -5,11 +5,11 @@
 //      than the grid. Straight sides that rounding bends, within the grid, do not count.
 #pragma once
 
-#include "geometry/mesh/mesh.h"
+#include "geometry/mesh/cut_mesh.h"
 #include "geometry/projection/projected_scene.h"
 
 namespace sightline::inline reconstruct {
 
-[[nodiscard]] bool is_proper(const Mesh& mesh, const ProjectedScene& scene, FacetId facet);
+[[nodiscard]] bool is_proper(const ProjectedScene& scene, FacetId facet);
 
 }  // namespace sightline::inline reconstruct

@@ -26,7 +26,7 @@ class SurfaceLabeller {
         points_(from.points),
         edge_points_(from.edge_points),
         vertices_(from.vertices),
-        inner_(mesh_, scene_, points_, vertices_) {}
+        inner_(scene_, points_, vertices_) {}
 
   // Surfaces that begin in the range.
   LabelledPart run(std::size_t begin, std::size_t end) {
@@ -48,7 +48,7 @@ class SurfaceLabeller {
     inner_.begin(surface);
     find_visible_segments_of(surface);
     const std::vector<SegmentId>& visible = visible_;
-    bool seen = !visible.empty() && (end - begin > 1 || is_proper(mesh_, scene_, surface));
+    bool seen = !visible.empty() && (end - begin > 1 || is_proper(scene_, surface));
     const auto reflecting = reflecting_on(surface);
     if (seen && (!reflecting.empty() || !is_whole(visible, begin, end))) {
       if (add_partly_visible(begin, end, visible, reflecting)) return;
@@ -143,7 +143,7 @@ class SurfaceLabeller {
       return;
     }
     std::vector<BorderPoint> border;
-    for (const ViewBorderPoint& p : view_border(mesh_, scene_, points_, edge_points_, f, {}, inner_))
+    for (const ViewBorderPoint& p : view_border(scene_, points_, edge_points_, f, {}, inner_))
       border.push_back(p.border);
     add_convex(f, border, inside, seen);
     add_outside(f, {});
@@ -158,11 +158,11 @@ class SurfaceLabeller {
     for (std::size_t f = begin; f < end; ++f) {
       if (scene_.status[f] != Status::in_view) continue;
       surface.borders.push_back(
-          view_border(mesh_, scene_, points_, edge_points_, FacetId(f), border_splits_of(FacetId(f)), inner_));
+          view_border(scene_, points_, edge_points_, FacetId(f), border_splits_of(FacetId(f)), inner_));
     }
     std::vector<Piece> pieces;
     try {
-      pieces = visible_pieces(mesh_, scene_, points_, segments_, surface, edge_points_, vertices_, inner_);
+      pieces = visible_pieces(scene_, points_, segments_, surface, edge_points_, vertices_, inner_);
     } catch (const ConstraintConflict&) {
       return false;
     }
@@ -199,7 +199,7 @@ class SurfaceLabeller {
 
   void add_outside(FacetId f, std::span<const EdgeSplit> splits) {
     const Label label = scene_.facing[f.index()] == Facing::front ? Label::out_of_view : Label::back_facing;
-    for (const auto& corners : outside_pieces(mesh_, scene_, points_, edge_points_, f, splits, inner_)) {
+    for (const auto& corners : outside_pieces(scene_, points_, edge_points_, f, splits, inner_)) {
       add_triangle(f, corners, label, false);
     }
   }
@@ -230,7 +230,7 @@ class SurfaceLabeller {
   }
 
   const LabelSources& from_;
-  const Mesh& mesh_;
+  const CutMesh& mesh_;
   const ProjectedScene& scene_;
   const VisibleSegments& segments_;
   const VisiblePolygons& polygons_;
@@ -244,7 +244,8 @@ class SurfaceLabeller {
 };
 
 // The mesh's, and room for the points on its edges.
-std::vector<Point3> vertices_with_room(const Mesh& mesh, const ProjectedScene& scene, const VisibleSegments& segments) {
+std::vector<Point3> vertices_with_room(const ProjectedScene& scene, const VisibleSegments& segments) {
+  const CutMesh& mesh = scene.mesh();
   std::vector<Point3> vertices;
   vertices.reserve(mesh.vertices.size() + scene.made_corners.size() + segments.splits.size());
   vertices.assign(mesh.vertices.begin(), mesh.vertices.end());
@@ -254,15 +255,15 @@ std::vector<Point3> vertices_with_room(const Mesh& mesh, const ProjectedScene& s
 }  // namespace
 
 // In the body the names are the parameters'.
-LabelSources::LabelSources(const Mesh& mesh, const ProjectedScene& scene, const VisibleSegments& segments,
+LabelSources::LabelSources(const ProjectedScene& scene, const VisibleSegments& segments,
                            const VisiblePolygons& polygons, const PanelBorders& panels)
-    : mesh(mesh),
+    : mesh(scene.mesh()),
       scene(scene),
       segments(segments),
       polygons(polygons),
       points(scene, segments),
-      vertices(vertices_with_room(mesh, scene, segments)),
-      edge_points(mesh, scene, segments, points, vertices) {
+      vertices(vertices_with_room(scene, segments)),
+      edge_points(scene, segments, points, vertices) {
   const auto is_of_edge = [](const EdgeSplit& split) { return split.mesh_edge.valid(); };
   border_splits.assign(std::ranges::partition_point(segments.splits, is_of_edge), segments.splits.end());
   std::sort(border_splits.begin(), border_splits.end(), by_facet);

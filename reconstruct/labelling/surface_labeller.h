@@ -16,10 +16,10 @@
 namespace sightline::inline reconstruct {
 
 struct LabelSources {
-  LabelSources(const Mesh& mesh, const ProjectedScene& scene, const VisibleSegments& segments,
-               const VisiblePolygons& polygons, const PanelBorders& panels);
+  LabelSources(const ProjectedScene& scene, const VisibleSegments& segments, const VisiblePolygons& polygons,
+               const PanelBorders& panels);
 
-  const Mesh& mesh;
+  const CutMesh& mesh;
   const ProjectedScene& scene;
   const VisibleSegments& segments;
   const VisiblePolygons& polygons;

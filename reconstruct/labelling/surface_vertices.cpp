@@ -19,7 +19,7 @@ VertexId SurfaceVertices::at(PointId p, std::optional<Point3> position) {
 
 Point3 SurfaceVertices::lift(PointId p) const {
   for (std::size_t f = surface_.index(); f < end_of_surface(mesh_, surface_).index(); ++f) {
-    if (const auto lifted = lift_on_facet(mesh_, scene_, points_, FacetId(f), p)) return *lifted;
+    if (const auto lifted = lift_on_facet(scene_, points_, FacetId(f), p)) return *lifted;
   }
   throw InternalError("point " + std::to_string(p.value) + " is not on face " +
                       std::to_string(mesh_.facet_face[surface_.index()].value));

@@ -18,8 +18,8 @@ namespace sightline::inline reconstruct {
 class SurfaceVertices : public InnerVertices {
  public:
   // New vertices are added to `vertices`.
-  SurfaceVertices(const Mesh& mesh, const ProjectedScene& scene, const ImagePoints& points, NewVertices& vertices)
-      : mesh_(mesh), scene_(scene), points_(points), vertices_(vertices) {}
+  SurfaceVertices(const ProjectedScene& scene, const ImagePoints& points, NewVertices& vertices)
+      : mesh_(scene.mesh()), scene_(scene), points_(points), vertices_(vertices) {}
 
   void begin(FacetId surface);
   VertexId at(PointId p, std::optional<Point3> position) override;
@@ -27,7 +27,7 @@ class SurfaceVertices : public InnerVertices {
  private:
   [[nodiscard]] Point3 lift(PointId p) const;
 
-  const Mesh& mesh_;
+  const CutMesh& mesh_;
   const ProjectedScene& scene_;
   const ImagePoints& points_;
   NewVertices& vertices_;

@@ -26,7 +26,7 @@ bool same_bits(const Point3& a, const Point3& b) {
   return bits(a) == bits(b);
 }
 
-void check_vertices(const LabelledMesh& labelled, const Mesh& mesh, Messages& messages) {
+void check_vertices(const LabelledMesh& labelled, const CutMesh& mesh, Messages& messages) {
   if (labelled.vertices.size() < mesh.input_vertex_count()) {
     messages.emplace_back("vertices: fewer than the input's");
     return;
@@ -40,7 +40,7 @@ void check_vertices(const LabelledMesh& labelled, const Mesh& mesh, Messages& me
   }
 }
 
-void check_triangle(const LabelledMesh& labelled, const Mesh& mesh, std::size_t index, Messages& messages) {
+void check_triangle(const LabelledMesh& labelled, const CutMesh& mesh, std::size_t index, Messages& messages) {
   const LabelledTriangle& t = labelled.triangles[index];
   const auto& [a, b, c] = t.corners;
   const auto report = [&](bool wrong, const std::string& what) {
@@ -59,7 +59,7 @@ void check_triangle(const LabelledMesh& labelled, const Mesh& mesh, std::size_t 
 }
 
 // Surfaces are named by the facets of the mesh as it was cut.
-void check_surfaces(const LabelledMesh& labelled, const Mesh& mesh, Messages& messages) {
+void check_surfaces(const LabelledMesh& labelled, const CutMesh& mesh, Messages& messages) {
   FacetId last(0);
   for (std::size_t i = 0; i < labelled.triangles.size(); ++i) {
     const LabelledTriangle& t = labelled.triangles[i];
@@ -74,24 +74,25 @@ void check_surfaces(const LabelledMesh& labelled, const Mesh& mesh, Messages& me
   }
 }
 
-void check_refinement(const LabelledMesh& labelled, const Mesh& mesh, const Mesh& uncut, const ProjectedScene& scene,
+void check_refinement(const LabelledMesh& labelled, const PolygonMesh& uncut, const ProjectedScene& scene,
                       Messages& messages) {
-  check_face_areas(labelled, mesh, uncut, scene, messages);
+  check_face_areas(labelled, uncut, scene, messages);
   check_conformity(labelled, uncut, messages);
 }
 
 }  // namespace
 
-std::vector<std::string> validate(const LabelledMesh& labelled, const Mesh& mesh, const ProjectedScene& scene) {
+std::vector<std::string> validate(const LabelledMesh& labelled, const ProjectedScene& scene) {
+  const CutMesh& mesh = scene.mesh();
   Messages messages;
   check_vertices(labelled, mesh, messages);
   for (std::size_t t = 0; t < labelled.triangles.size(); ++t) check_triangle(labelled, mesh, t, messages);
   check_surfaces(labelled, mesh, messages);
   if (!messages.empty()) return messages;
   if (mesh.is_cut()) {
-    check_refinement(labelled, mesh, without_cuts(mesh), scene, messages);
+    check_refinement(labelled, without_cuts(mesh), scene, messages);
   } else {
-    check_refinement(labelled, mesh, mesh, scene, messages);
+    check_refinement(labelled, mesh, scene, messages);
   }
   return messages;
 }

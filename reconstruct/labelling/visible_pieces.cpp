@@ -24,9 +24,9 @@ constexpr std::size_t first_panel_line = 2;
 
 class VisiblePieces {
  public:
-  VisiblePieces(const Mesh& mesh, const ProjectedScene& scene, const ImagePoints& image,
-                const VisibleSegments& segments, const SurfaceInView& surface, const EdgePoints& edge_points)
-      : mesh_(mesh),
+  VisiblePieces(const ProjectedScene& scene, const ImagePoints& image, const VisibleSegments& segments,
+                const SurfaceInView& surface, const EdgePoints& edge_points)
+      : mesh_(scene.mesh()),
         scene_(scene),
         image_(image),
         segments_(segments),
@@ -280,7 +280,7 @@ class VisiblePieces {
     pieces_.push_back({{a, b, c}, false, 0});
   }
 
-  const Mesh& mesh_;
+  const CutMesh& mesh_;
   const ProjectedScene& scene_;
   const ImagePoints& image_;
   const VisibleSegments& segments_;
@@ -294,10 +294,10 @@ class VisiblePieces {
 
 }  // namespace
 
-std::vector<Piece> visible_pieces(const Mesh& mesh, const ProjectedScene& scene, const ImagePoints& points,
+std::vector<Piece> visible_pieces(const ProjectedScene& scene, const ImagePoints& points,
                                   const VisibleSegments& segments, const SurfaceInView& surface,
                                   const EdgePoints& edge_points, const NewVertices& vertices, InnerVertices& inner) {
-  return VisiblePieces(mesh, scene, points, segments, surface, edge_points).run(vertices, inner);
+  return VisiblePieces(scene, points, segments, surface, edge_points).run(vertices, inner);
 }
 
 }  // namespace sightline::inline reconstruct

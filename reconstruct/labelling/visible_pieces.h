@@ -16,7 +16,7 @@
 #include <span>
 #include <vector>
 
-#include "geometry/mesh/mesh.h"
+#include "geometry/mesh/cut_mesh.h"
 #include "geometry/projection/projected_scene.h"
 #include "reconstruct/labelling/facet_border.h"
 #include "reconstruct/labelling/new_vertices.h"
@@ -45,9 +45,9 @@ struct SurfaceInView {
 };
 
 // vertices: of the labelled surface.
-[[nodiscard]] std::vector<Piece> visible_pieces(const Mesh& mesh, const ProjectedScene& scene,
-                                                const ImagePoints& points, const VisibleSegments& segments,
-                                                const SurfaceInView& surface, const EdgePoints& edge_points,
-                                                const NewVertices& vertices, InnerVertices& inner);
+[[nodiscard]] std::vector<Piece> visible_pieces(const ProjectedScene& scene, const ImagePoints& points,
+                                                const VisibleSegments& segments, const SurfaceInView& surface,
+                                                const EdgePoints& edge_points, const NewVertices& vertices,
+                                                InnerVertices& inner);
 
 }  // namespace sightline::inline reconstruct

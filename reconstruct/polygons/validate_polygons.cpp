@@ -24,7 +24,7 @@ std::string ring_name(std::size_t r) { return "ring " + std::to_string(r); }
 std::string polygon_name(std::size_t p) { return "polygon " + std::to_string(p); }
 
 // Sizes and ranges: what the other checks need in order to look at anything.
-Messages check_arrays(const VisiblePolygons& polygons, const Mesh& mesh, const VisibleSegments& segments) {
+Messages check_arrays(const VisiblePolygons& polygons, const CutMesh& mesh, const VisibleSegments& segments) {
   Messages messages;
   const auto require = [&](bool holds, const char* what) {
     if (!holds) messages.emplace_back(what);
@@ -50,10 +50,10 @@ Messages check_arrays(const VisiblePolygons& polygons, const Mesh& mesh, const V
 
 class PolygonCheck {
  public:
-  PolygonCheck(const VisiblePolygons& polygons, const Mesh& mesh, const ProjectedScene& scene,
-               const VisibleSegments& segments, Messages& messages)
+  PolygonCheck(const VisiblePolygons& polygons, const ProjectedScene& scene, const VisibleSegments& segments,
+               Messages& messages)
       : polygons_(polygons),
-        mesh_(mesh),
+        mesh_(scene.mesh()),
         scene_(scene),
         segments_(segments),
         sides_(scene, segments),
@@ -227,7 +227,7 @@ class PolygonCheck {
   }
 
   const VisiblePolygons& polygons_;
-  const Mesh& mesh_;
+  const CutMesh& mesh_;
   const ProjectedScene& scene_;
   const VisibleSegments& segments_;
   const EdgeSides sides_;
@@ -236,10 +236,11 @@ class PolygonCheck {
 
 }  // namespace
 
-std::vector<std::string> validate(const VisiblePolygons& polygons, const Mesh& mesh, const ProjectedScene& scene,
+std::vector<std::string> validate(const VisiblePolygons& polygons, const ProjectedScene& scene,
                                   const VisibleSegments& segments) {
+  const CutMesh& mesh = scene.mesh();
   Messages messages = check_arrays(polygons, mesh, segments);
-  if (messages.empty()) PolygonCheck(polygons, mesh, scene, segments, messages).run();
+  if (messages.empty()) PolygonCheck(polygons, scene, segments, messages).run();
   return messages;
 }
 

@@ -72,7 +72,7 @@ class SurfacePolygons {
 };
 
 // Per facet that names a surface the surface's segments, in their order.
-Grouping<SegmentId> segments_by_surface(const Mesh& mesh, const VisibleSegments& segments) {
+Grouping<SegmentId> segments_by_surface(const CutMesh& mesh, const VisibleSegments& segments) {
   Grouping<SegmentId> of_surface(mesh.facet_count(), [&](const auto& visit) {
     parallel_for_each(segments.segments.size(), [&](std::size_t s) {
       visit(surface_of(mesh, segments.segments[s].facet).index(), SegmentId(s));
@@ -84,20 +84,20 @@ Grouping<SegmentId> segments_by_surface(const Mesh& mesh, const VisibleSegments&
 
 // What all surfaces are reconstructed from.
 struct Sources {
-  Sources(const Mesh& m, const ProjectedScene& s, const VisibleSegments& v)
-      : mesh(m),
+  Sources(const ProjectedScene& s, const VisibleSegments& v)
+      : mesh(s.mesh()),
         scene(s),
         segments(v),
         points(s, v),
         order(s, v),
-        of_surface(segments_by_surface(m, v)),
+        of_surface(segments_by_surface(s.mesh(), v)),
         threads(v.threads) {
     std::stable_sort(threads.begin(), threads.end(), [this](const Thread& a, const Thread& b) {
       return surface_of(mesh, a.facet) < surface_of(mesh, b.facet);
     });
   }
 
-  const Mesh& mesh;
+  const CutMesh& mesh;
   const ProjectedScene& scene;
   const VisibleSegments& segments;
   const ImagePoints points;
@@ -182,8 +182,9 @@ void append(VisiblePolygons& all, const VisiblePolygons& part) {
   all.ring_segments.insert(all.ring_segments.end(), part.ring_segments.begin(), part.ring_segments.end());
 }
 
-VisiblePolygons reconstruct(const Mesh& mesh, const ProjectedScene& scene, const VisibleSegments& segments) {
-  const Sources sources(mesh, scene, segments);
+VisiblePolygons reconstruct(const ProjectedScene& scene, const VisibleSegments& segments) {
+  const CutMesh& mesh = scene.mesh();
+  const Sources sources(scene, segments);
   std::vector<VisiblePolygons> parts(range_count(mesh.facet_count()));
   parallel_for_ranges(mesh.facet_count(), [&](std::size_t range, std::size_t begin, std::size_t end) {
     Reconstruction reconstruction(sources);
@@ -197,8 +198,8 @@ VisiblePolygons reconstruct(const Mesh& mesh, const ProjectedScene& scene, const
 
 }  // namespace
 
-VisiblePolygons reconstruct_polygons(const Mesh& mesh, const ProjectedScene& scene, const VisibleSegments& segments) {
-  return with_invariants_of(scene.arithmetic, [&] { return reconstruct(mesh, scene, segments); });
+VisiblePolygons reconstruct_polygons(const ProjectedScene& scene, const VisibleSegments& segments) {
+  return with_invariants_of(scene.arithmetic, [&] { return reconstruct(scene, segments); });
 }
 
 Rational exact_area(const ProjectedScene& scene, const VisibleSegments& segments, const VisiblePolygons& polygons,

@@ -21,7 +21,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/mesh/mesh.h"
+#include "geometry/mesh/cut_mesh.h"
 #include "geometry/projection/projected_scene.h"
 #include "sweep/segments/visible_segments.h"
 
@@ -49,15 +49,14 @@ struct VisiblePolygons {
   }
 };
 
-[[nodiscard]] VisiblePolygons reconstruct_polygons(const Mesh& mesh, const ProjectedScene& scene,
-                                                   const VisibleSegments& segments);
+[[nodiscard]] VisiblePolygons reconstruct_polygons(const ProjectedScene& scene, const VisibleSegments& segments);
 
 // The exact area of a polygon (outer ring minus holes), in grid units squared.
 [[nodiscard]] Rational exact_area(const ProjectedScene& scene, const VisibleSegments& segments,
                                   const VisiblePolygons& polygons, std::size_t polygon);
 
 // What of the above does not hold, one line each, with the ids; empty for a valid value.
-[[nodiscard]] std::vector<std::string> validate(const VisiblePolygons& polygons, const Mesh& mesh,
-                                                const ProjectedScene& scene, const VisibleSegments& segments);
+[[nodiscard]] std::vector<std::string> validate(const VisiblePolygons& polygons, const ProjectedScene& scene,
+                                                const VisibleSegments& segments);
 
 }  // namespace sightline::inline reconstruct

@@ -27,7 +27,7 @@ WindowPart widened(const WindowPart& part, int grid_bits) {
   return {part.left - spacing, part.right + spacing, part.bottom - spacing, part.top + spacing};
 }
 
-std::vector<Point3> corners_of(const Mesh& mesh, WholeId whole) {
+std::vector<Point3> corners_of(const CutMesh& mesh, WholeId whole) {
   std::vector<Point3> corners;
   for (const VertexId v : whole_corners(mesh, whole)) corners.push_back(mesh.position(v));
   return corners;
@@ -72,7 +72,7 @@ const Mirror::PanelImage& Mirror::image_of(std::size_t panel) {
   const auto [found, is_new] = images_.try_emplace(panel);
   PanelImage& image = found->second;
   if (!is_new) return image;
-  const Mesh& mesh = world_.panel_meshes[panel];
+  const CutMesh& mesh = world_.panel_meshes[panel];
   const ExactPlane& plane = world_.panel_planes[panel];
   const BallForm ball = ball_form(plane_points(mesh, FacetId(0)));
   const auto certain = certain_side_of_centre(forms_, scene_.camera, ball);
@@ -108,7 +108,7 @@ std::vector<ImagePolygon> Mirror::shadows(const WindowPart& part, std::size_t pa
 }
 
 // Balls decide nearly always.
-ImagePolygon Mirror::shadow(const Mesh& mesh, WholeId obstacle, const PanelImage& image) {
+ImagePolygon Mirror::shadow(const CutMesh& mesh, WholeId obstacle, const PanelImage& image) {
   const std::vector<Point3> corners = corners_of(mesh, obstacle);
   if (image.towards_centre_ball.is_positive_at(corners)) {
     if (auto certain = certain_image(forms_, scene_.camera, corners, scene_.grid_bits)) return *std::move(certain);

@@ -57,11 +57,11 @@ RegionBorder lit_region(const std::vector<ImagePolygon>& panel, const std::vecto
   for (const ImagePolygon& polygon : panel) sheets.add(polygon, 0);
   const std::size_t lit = sheets.count();
   for (const ImagePolygon& polygon : shadows) sheets.add(polygon, 1);
-  const Mesh mesh = sheets.mesh();
-  const ProjectedScene scene = project(mesh, straight_down(), Sides::both, {Arithmetic::exact, grid_bits});
-  const VisibleSegments segments = plain_sweep(mesh, scene);
+  const ProjectedScene scene = project(sheets.mesh(), straight_down(), Sides::both, {Arithmetic::exact, grid_bits});
+  const VisibleSegments segments = plain_sweep(scene);
   for (const VisibleSegment& segment : segments.segments) {
-    if (mesh.facet_face[segment.facet.index()].index() < lit) border.push_back(border_piece(scene, segments, segment));
+    if (scene.mesh().facet_face[segment.facet.index()].index() < lit)
+      border.push_back(border_piece(scene, segments, segment));
   }
   return border;
 }

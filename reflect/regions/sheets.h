@@ -9,7 +9,7 @@
 
 #include <vector>
 
-#include "geometry/mesh/mesh.h"
+#include "geometry/mesh/cut_mesh.h"
 #include "geometry/numbers/image_point.h"
 #include "geometry/projection/camera.h"
 
@@ -24,7 +24,7 @@ class Sheets {
   void add(const ImagePolygon& polygon, double height);
 
   [[nodiscard]] std::size_t count() const { return faces_.size(); }  // of triangles
-  [[nodiscard]] Mesh mesh() { return build_mesh(std::move(vertices_), std::move(faces_)); }
+  [[nodiscard]] CutMesh mesh() { return uncrossed(build_mesh(std::move(vertices_), std::move(faces_))); }
 
  private:
   VertexId corner(const ImagePoint& p, double height);

@@ -10,7 +10,7 @@ namespace sightline::inline reflect {
 namespace {
 
 // The normal at the face's corner that is this vertex; zero where there are none.
-Vector3 normal_at(const Mesh& mesh, const std::vector<Vector3>& normals, FaceId face, VertexId vertex) {
+Vector3 normal_at(const CutMesh& mesh, const std::vector<Vector3>& normals, FaceId face, VertexId vertex) {
   if (normals.empty()) return {};
   const auto corners = mesh.faces[face.index()];
   const auto corner = std::ranges::find(corners, vertex);
@@ -20,13 +20,13 @@ Vector3 normal_at(const Mesh& mesh, const std::vector<Vector3>& normals, FaceId 
 
 double clamped(double barycentric) { return std::clamp(barycentric, -1.0, 2.0); }
 
-WholeId whole_of(const Mesh& mesh, std::size_t facet) {
+WholeId whole_of(const CutMesh& mesh, std::size_t facet) {
   return mesh.is_cut() ? mesh.cuts.whole_of[facet] : WholeId(facet);
 }
 
 }  // namespace
 
-ShadingNormals::ShadingNormals(const Mesh& mesh, const std::vector<Vector3>& vertex_normals, FacetId surface) {
+ShadingNormals::ShadingNormals(const CutMesh& mesh, const std::vector<Vector3>& vertex_normals, FacetId surface) {
   const std::array<Point3, 3> plane = plane_points(mesh, surface);
   scale_ = unit_scale(plane);
   plane_normal_ = unit(cross(scale_ * plane[1] - scale_ * plane[0], scale_ * plane[2] - scale_ * plane[0]));
@@ -41,7 +41,7 @@ ShadingNormals::ShadingNormals(const Mesh& mesh, const std::vector<Vector3>& ver
   }
 }
 
-void ShadingNormals::add(const Mesh& mesh, const std::vector<Vector3>& vertex_normals, FaceId face,
+void ShadingNormals::add(const CutMesh& mesh, const std::vector<Vector3>& vertex_normals, FaceId face,
                          const std::array<VertexId, 3>& corners) {
   const auto position = [&](std::size_t i) { return scale_ * mesh.position(corners[i]); };
   const Vector3 second = position(1) - position(0);

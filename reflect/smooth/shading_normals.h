@@ -10,13 +10,13 @@
 #include <array>
 #include <vector>
 
-#include "geometry/mesh/mesh.h"
+#include "geometry/mesh/cut_mesh.h"
 
 namespace sightline::inline reflect {
 
 class ShadingNormals {
  public:
-  ShadingNormals(const Mesh& mesh, const std::vector<Vector3>& vertex_normals, FacetId surface);
+  ShadingNormals(const CutMesh& mesh, const std::vector<Vector3>& vertex_normals, FacetId surface);
 
   // Of length 1.
   [[nodiscard]] Vector3 at(const Point3& p) const;
@@ -31,7 +31,7 @@ class ShadingNormals {
     std::array<Vector3, 3> normals;
   };
 
-  void add(const Mesh& mesh, const std::vector<Vector3>& vertex_normals, FaceId face,
+  void add(const CutMesh& mesh, const std::vector<Vector3>& vertex_normals, FaceId face,
            const std::array<VertexId, 3>& corners);
 
   double scale_;

@@ -178,7 +178,7 @@ std::vector<const SmoothMirror::SpacePolygon*> SmoothMirror::obstacles_before(co
     return plane_form_.highest(scaled) > 0 && cell.may_reach(scaled);
   };
   std::vector<const SpacePolygon*> result;
-  const auto add = [&](const Mesh& mesh, std::size_t number, WholeId whole) {
+  const auto add = [&](const CutMesh& mesh, std::size_t number, WholeId whole) {
     ++statistics.obstacles;
     const SpacePolygon& obstacle = part_before(face, mesh, number, whole);
     if (!obstacle.empty()) result.push_back(&obstacle);
@@ -186,7 +186,7 @@ std::vector<const SmoothMirror::SpacePolygon*> SmoothMirror::obstacles_before(co
   for (const WholeId whole : world_.obstacles.in(may_reach)) add(*world_.surface, world_.panels.size(), whole);
   for (std::size_t p = 0; p < world_.panels.size(); ++p) {
     if (p == face.panel || !may_reach(world_.panel_boxes[p])) continue;
-    const Mesh& mesh = world_.panel_meshes[p];
+    const CutMesh& mesh = world_.panel_meshes[p];
     for (std::size_t f = 0; f < mesh.facet_count(); ++f) add(mesh, p, WholeId(f));
   }
   return result;
@@ -198,7 +198,7 @@ std::vector<SmoothMirror::PanelFace>& SmoothMirror::faces_of(std::size_t panel) 
   std::vector<PanelFace>& faces = found->second;
   if (!is_new) return faces;
   std::vector<SpacePolygon> pieces;
-  const Mesh& mesh = world_.panel_meshes[panel];
+  const CutMesh& mesh = world_.panel_meshes[panel];
   for (std::size_t f = 0; f < mesh.facet_count(); ++f) {
     SpacePolygon piece = scaled(part_in_front(whole_polygon(mesh, WholeId(f)), exact_plane_));
     if (!piece.empty()) pieces.push_back(std::move(piece));
@@ -211,7 +211,7 @@ std::vector<SmoothMirror::PanelFace>& SmoothMirror::faces_of(std::size_t panel) 
   return faces;
 }
 
-const SmoothMirror::SpacePolygon& SmoothMirror::part_before(PanelFace& face, const Mesh& mesh, std::size_t number,
+const SmoothMirror::SpacePolygon& SmoothMirror::part_before(PanelFace& face, const CutMesh& mesh, std::size_t number,
                                                             WholeId whole) const {
   const auto [found, is_new] = face.obstacles.try_emplace({number, whole});
   if (is_new)

@@ -75,7 +75,7 @@ class SmoothMirror {
   [[nodiscard]] std::vector<const SpacePolygon*> obstacles_before(const MirrorCell& cell, PanelFace& face,
                                                                   ReflectionStatistics& statistics) const;
   [[nodiscard]] std::vector<PanelFace>& faces_of(std::size_t panel);
-  [[nodiscard]] const SpacePolygon& part_before(PanelFace& face, const Mesh& mesh, std::size_t number,
+  [[nodiscard]] const SpacePolygon& part_before(PanelFace& face, const CutMesh& mesh, std::size_t number,
                                                 WholeId whole) const;
   [[nodiscard]] SpacePolygon scaled(const CutPolygon& polygon) const;
 

@@ -19,28 +19,28 @@ const char* to_string(ReflectionMode mode) {
 
 const char* to_string(MirrorNormals normals) { return normals == MirrorNormals::face ? "face" : "vertex"; }
 
-MirrorWorld make_mirror_world(const Mesh& surface, std::vector<Panel> panels, const ReflectionOptions& options,
-                              const std::vector<Vector3>& given_normals) {
-  MirrorWorld world{&surface, std::move(panels), options, {}, {}, {}, {}, 1, {}};
+MirrorWorld make_mirror_world(std::shared_ptr<const CutMesh> surface, std::vector<Panel> panels,
+                              const ReflectionOptions& options, const std::vector<Vector3>& given_normals) {
+  MirrorWorld world{std::move(surface), std::move(panels), options, {}, {}, {}, {}, 1, {}};
   if (world.panels.empty()) return world;
-  world.obstacles = Obstacles(surface);
-  world.scale = unit_scale(surface.vertices);
-  if (options.needs_vertex_normals()) world.normals = vertex_normals(surface, given_normals);
+  world.obstacles = Obstacles(*world.surface);
+  world.scale = unit_scale(world.surface->vertices);
+  if (options.needs_vertex_normals()) world.normals = vertex_normals(*world.surface, given_normals);
   for (const Panel& panel : world.panels) {
-    const Mesh& mesh = world.panel_meshes.emplace_back(panel_mesh(panel));
+    const CutMesh& mesh = world.panel_meshes.emplace_back(uncrossed(panel_mesh(panel)));
     world.panel_planes.push_back(plane_through(plane_points(mesh, FacetId(0))));
     world.panel_boxes.push_back(box_of(mesh, mesh.faces[0]));
   }
   return world;
 }
 
-CutPolygon whole_polygon(const Mesh& mesh, WholeId whole) {
+CutPolygon whole_polygon(const CutMesh& mesh, WholeId whole) {
   CutPolygon polygon;
   for (const VertexId v : whole_corners(mesh, whole)) polygon.push_back({exact_position(mesh.position(v)), v, {}});
   return polygon;
 }
 
-std::array<Point3, 3> plane_points(const Mesh& mesh, FacetId facet) {
+std::array<Point3, 3> plane_points(const CutMesh& mesh, FacetId facet) {
   const auto [a, b, c] = plane_corners(mesh, facet);
   return {mesh.position(a), mesh.position(b), mesh.position(c)};
 }

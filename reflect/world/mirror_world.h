@@ -1,6 +1,7 @@
 // Everything that can be reflected or be in the way, prepared once for all cameras.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "geometry/cutting/facet_cutter.h"
@@ -11,10 +12,10 @@
 namespace sightline::inline reflect {
 
 struct MirrorWorld {
-  const Mesh* surface = nullptr;
+  std::shared_ptr<const CutMesh> surface;  // a world keeps it alive
   std::vector<Panel> panels;
   ReflectionOptions options;
-  std::vector<Mesh> panel_meshes;  // one face each
+  std::vector<CutMesh> panel_meshes;  // one face each
   std::vector<ExactPlane> panel_planes;
   std::vector<Box> panel_boxes;
   Obstacles obstacles;
@@ -23,14 +24,14 @@ struct MirrorWorld {
 };
 
 // given_normals: see vertex_normals. Errors: PanelError.
-[[nodiscard]] MirrorWorld make_mirror_world(const Mesh& surface, std::vector<Panel> panels,
+[[nodiscard]] MirrorWorld make_mirror_world(std::shared_ptr<const CutMesh> surface, std::vector<Panel> panels,
                                             const ReflectionOptions& options = {},
                                             const std::vector<Vector3>& given_normals = {});
 
-[[nodiscard]] CutPolygon whole_polygon(const Mesh& mesh, WholeId whole);
+[[nodiscard]] CutPolygon whole_polygon(const CutMesh& mesh, WholeId whole);
 
 // Three corners that are not on one line.
-[[nodiscard]] std::array<Point3, 3> plane_points(const Mesh& mesh, FacetId facet);
+[[nodiscard]] std::array<Point3, 3> plane_points(const CutMesh& mesh, FacetId facet);
 [[nodiscard]] ExactPlane plane_through(const std::array<Point3, 3>& points);
 
 struct ReflectionStatistics {

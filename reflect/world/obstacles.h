@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "geometry/mesh/box_hierarchy.h"
-#include "geometry/mesh/mesh.h"
+#include "geometry/mesh/cut_mesh.h"
 
 namespace sightline::inline reflect {
 
@@ -17,7 +17,7 @@ class Obstacles {
  public:
   Obstacles() = default;
   // Of a mesh that was cut along common lines: the facets before. Which pieces they are in is of no interest here.
-  explicit Obstacles(const Mesh& mesh);
+  explicit Obstacles(const CutMesh& mesh);
 
   // may_touch: false where a box has no point in the pyramid.
   [[nodiscard]] std::vector<WholeId> in(const std::function<bool(const Box&)>& may_touch) const;
@@ -27,8 +27,8 @@ class Obstacles {
 };
 
 // The corners of a whole: of a facet, where the mesh was not cut.
-[[nodiscard]] std::span<const VertexId> whole_corners(const Mesh& mesh, WholeId whole);
+[[nodiscard]] std::span<const VertexId> whole_corners(const CutMesh& mesh, WholeId whole);
 
-[[nodiscard]] Box box_of(const Mesh& mesh, std::span<const VertexId> corners);
+[[nodiscard]] Box box_of(const CutMesh& mesh, std::span<const VertexId> corners);
 
 }  // namespace sightline::inline reflect

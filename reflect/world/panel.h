@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/mesh/mesh.h"
+#include "geometry/mesh/cut_mesh.h"
 
 namespace sightline::inline reflect {
 

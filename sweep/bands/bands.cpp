@@ -14,7 +14,7 @@ static_assert(8 * sizeof(BandSet) == most_bands);
 
 class BandMaker {
  public:
-  BandMaker(const Mesh& mesh, const std::vector<Role>& roles, const CellGrid& grid, const FacetCells& cells,
+  BandMaker(const CutMesh& mesh, const std::vector<Role>& roles, const CellGrid& grid, const FacetCells& cells,
             std::size_t count)
       : mesh_(mesh), roles_(roles), grid_(grid), cells_(cells), count_(std::clamp<std::size_t>(count, 1, most_bands)) {
     result_.swept.resize(count_);
@@ -99,7 +99,7 @@ class BandMaker {
     });
   }
 
-  const Mesh& mesh_;
+  const CutMesh& mesh_;
   const std::vector<Role>& roles_;
   const CellGrid& grid_;
   const FacetCells& cells_;
@@ -136,7 +136,7 @@ std::size_t band_count(const std::vector<Role>& roles, const CellGrid& grid, con
   return std::min(1 + open / open_facets_in_a_band, std::max(bands_at_any_price, by_height));
 }
 
-Bands make_bands(const Mesh& mesh, const std::vector<Role>& roles, const CellGrid& grid, const FacetCells& cells,
+Bands make_bands(const CutMesh& mesh, const std::vector<Role>& roles, const CellGrid& grid, const FacetCells& cells,
                  std::size_t count) {
   return BandMaker(mesh, roles, grid, cells, count).make();
 }

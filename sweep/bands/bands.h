@@ -12,7 +12,7 @@
 
 #include <vector>
 
-#include "geometry/mesh/mesh.h"
+#include "geometry/mesh/cut_mesh.h"
 #include "sweep/fast/facet_cells.h"
 #include "sweep/fast/roles.h"
 
@@ -31,7 +31,7 @@ struct Bands {
 [[nodiscard]] std::size_t band_count(const std::vector<Role>& roles, const CellGrid& grid, const FacetCells& cells);
 
 // At least one band, at most most_bands.
-[[nodiscard]] Bands make_bands(const Mesh& mesh, const std::vector<Role>& roles, const CellGrid& grid,
+[[nodiscard]] Bands make_bands(const CutMesh& mesh, const std::vector<Role>& roles, const CellGrid& grid,
                                const FacetCells& cells, std::size_t count);
 
 }  // namespace sightline::inline sweep

@@ -23,6 +23,7 @@ class PartBuilder {
  private:
   void copy_settings() {
     ProjectedScene& scene = part_.scene;
+    scene.surface = whole_.surface;
     scene.camera = whole_.camera;
     scene.sides_shown = whole_.sides_shown;
     scene.arithmetic = whole_.arithmetic;

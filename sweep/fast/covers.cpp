@@ -55,16 +55,15 @@ bool is_beyond_an_edge(std::span<const ImagePoint> points, std::span<const Image
 // Looks at some of the cells, and counts for each facet in how many of them it is not in front.
 class CoverFinder {
  public:
-  CoverFinder(const Mesh& mesh, const ProjectedScene& scene, const std::vector<DepthRange>& depths,
-              const Continuation& continuation, const CellGrid& grid, const Grouping<CellFacet>& facets,
-              std::vector<std::uint8_t>& one_sheet)
+  CoverFinder(const ProjectedScene& scene, const std::vector<DepthRange>& depths, const Continuation& continuation,
+              const CellGrid& grid, const Grouping<CellFacet>& facets, std::vector<std::uint8_t>& one_sheet)
       : scene_(scene),
         depths_(depths),
         continuation_(continuation),
         grid_(grid),
         facets_(facets),
         one_sheet_(one_sheet),
-        order_(mesh, scene, depths),
+        order_(scene, depths),
         mark_(scene.status.size(), 0),
         hidden_cells_(scene.status.size(), 0) {}
 
@@ -203,14 +202,13 @@ class CoverFinder {
 
 }  // namespace
 
-Covers find_covers(const Mesh& mesh, const ProjectedScene& scene, const std::vector<DepthRange>& depths,
-                   const Continuation& continuation, const CellGrid& grid, const FacetCells& cells,
-                   std::vector<std::uint8_t> hidden) {
+Covers find_covers(const ProjectedScene& scene, const std::vector<DepthRange>& depths, const Continuation& continuation,
+                   const CellGrid& grid, const FacetCells& cells, std::vector<std::uint8_t> hidden) {
   Covers covers{std::move(hidden), count_over_centre(cells, grid, scene.status.size())};
   const Grouping<CellFacet> facets = facets_by_cell(cells, covers.one_sheet, scene.status.size());
   std::ranges::replace(covers.one_sheet, 2, 0);
   tbb::enumerable_thread_specific<CoverFinder> finders(
-      [&] { return CoverFinder(mesh, scene, depths, continuation, grid, facets, covers.one_sheet); });
+      [&] { return CoverFinder(scene, depths, continuation, grid, facets, covers.one_sheet); });
   constexpr std::size_t rows_in_a_row = 8;
   parallel_for_each(grid.side(), rows_in_a_row,
                     [&](std::size_t row) { finders.local().look_at_row(static_cast<unsigned>(row)); });
@@ -219,7 +217,7 @@ Covers find_covers(const Mesh& mesh, const ProjectedScene& scene, const std::vec
     for (const CoverFinder& finder : finders) hidden_cells += finder.hidden_cells()[f];
     if (hidden_cells > 0 && hidden_cells == cells.of(FacetId(f)).size()) covers.hidden[f] = 1;
   });
-  keep_surfaces_whole(mesh, scene, covers.hidden);
+  keep_surfaces_whole(scene, covers.hidden);
   return covers;
 }
 

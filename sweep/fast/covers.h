@@ -25,7 +25,7 @@
 
 #include <vector>
 
-#include "geometry/mesh/mesh.h"
+#include "geometry/mesh/cut_mesh.h"
 #include "geometry/projection/projected_scene.h"
 #include "sweep/fast/cell_grid.h"
 #include "sweep/fast/continuation.h"
@@ -39,7 +39,7 @@ struct Covers {
   std::vector<std::uint8_t> one_sheet;  // per cell
 };
 
-[[nodiscard]] Covers find_covers(const Mesh& mesh, const ProjectedScene& scene, const std::vector<DepthRange>& depths,
+[[nodiscard]] Covers find_covers(const ProjectedScene& scene, const std::vector<DepthRange>& depths,
                                  const Continuation& continuation, const CellGrid& grid, const FacetCells& cells,
                                  std::vector<std::uint8_t> hidden);
 

@@ -11,9 +11,9 @@ namespace {
 
 class RoleFinder {
  public:
-  RoleFinder(const Mesh& mesh, const ProjectedScene& scene, const Continuation& continuation, const Covers& covers,
-             const CellGrid& grid, const FacetCells& cells)
-      : mesh_(mesh), scene_(scene), continuation_(continuation), covers_(covers), grid_(grid), cells_(cells) {}
+  RoleFinder(const ProjectedScene& scene, const Continuation& continuation, const Covers& covers, const CellGrid& grid,
+             const FacetCells& cells)
+      : mesh_(scene.mesh()), scene_(scene), continuation_(continuation), covers_(covers), grid_(grid), cells_(cells) {}
 
   std::vector<Role> find() {
     const std::vector<std::uint8_t> clear = clear_cells();
@@ -59,7 +59,7 @@ class RoleFinder {
            std::ranges::all_of(cells_.of(f), [&](const FacetCell& cell) { return clear[cell.cell()] != 0; });
   }
 
-  const Mesh& mesh_;
+  const CutMesh& mesh_;
   const ProjectedScene& scene_;
   const Continuation& continuation_;
   const Covers& covers_;
@@ -69,9 +69,9 @@ class RoleFinder {
 
 }  // namespace
 
-std::vector<Role> find_roles(const Mesh& mesh, const ProjectedScene& scene, const Continuation& continuation,
-                             const Covers& covers, const CellGrid& grid, const FacetCells& cells) {
-  return RoleFinder(mesh, scene, continuation, covers, grid, cells).find();
+std::vector<Role> find_roles(const ProjectedScene& scene, const Continuation& continuation, const Covers& covers,
+                             const CellGrid& grid, const FacetCells& cells) {
+  return RoleFinder(scene, continuation, covers, grid, cells).find();
 }
 
 }  // namespace sightline::inline sweep

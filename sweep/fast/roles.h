@@ -10,7 +10,7 @@
 
 #include <vector>
 
-#include "geometry/mesh/mesh.h"
+#include "geometry/mesh/cut_mesh.h"
 #include "geometry/projection/projected_scene.h"
 #include "sweep/fast/cell_grid.h"
 #include "sweep/fast/continuation.h"
@@ -27,8 +27,7 @@ enum class Role : std::uint8_t {
   open,    // the sweep decides
 };
 
-[[nodiscard]] std::vector<Role> find_roles(const Mesh& mesh, const ProjectedScene& scene,
-                                           const Continuation& continuation, const Covers& covers, const CellGrid& grid,
-                                           const FacetCells& cells);
+[[nodiscard]] std::vector<Role> find_roles(const ProjectedScene& scene, const Continuation& continuation,
+                                           const Covers& covers, const CellGrid& grid, const FacetCells& cells);
 
 }  // namespace sightline::inline sweep

@@ -7,7 +7,8 @@
 
 namespace sightline::inline sweep {
 
-void keep_surfaces_whole(const Mesh& mesh, const ProjectedScene& scene, std::vector<std::uint8_t>& hidden) {
+void keep_surfaces_whole(const ProjectedScene& scene, std::vector<std::uint8_t>& hidden) {
+  const CutMesh& mesh = scene.mesh();
   parallel_for_each(hidden.size(), [&](std::size_t begin) {
     if (surface_of(mesh, FacetId(begin)) != FacetId(begin)) return;
     const std::size_t end = end_of_surface(mesh, FacetId(begin)).index();

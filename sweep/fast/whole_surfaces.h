@@ -10,11 +10,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "geometry/mesh/mesh.h"
+#include "geometry/mesh/cut_mesh.h"
 #include "geometry/projection/projected_scene.h"
 
 namespace sightline::inline sweep {
 
-void keep_surfaces_whole(const Mesh& mesh, const ProjectedScene& scene, std::vector<std::uint8_t>& hidden);
+void keep_surfaces_whole(const ProjectedScene& scene, std::vector<std::uint8_t>& hidden);
 
 }  // namespace sightline::inline sweep

@@ -7,12 +7,12 @@
 
 namespace sightline::inline sweep {
 
-DepthOrder::DepthOrder(const Mesh& mesh, const ProjectedScene& scene, std::span<const DepthRange> ranges)
-    : mesh_(mesh),
+DepthOrder::DepthOrder(const ProjectedScene& scene, std::span<const DepthRange> ranges)
+    : mesh_(scene.mesh()),
       arithmetic_(scene.arithmetic),
       eye_(scene.camera.eye),
       facing_(scene.facing),
-      pieces_(mesh, scene),
+      pieces_(scene),
       ranges_(ranges) {}
 
 // A mesh that was not cut has its facets whole.

@@ -22,7 +22,7 @@
 #include <span>
 #include <vector>
 
-#include "geometry/mesh/mesh.h"
+#include "geometry/mesh/cut_mesh.h"
 #include "geometry/numbers/predicates.h"
 #include "geometry/projection/projected_scene.h"
 #include "sweep/plain/depth_ranges.h"
@@ -32,8 +32,8 @@ namespace sightline::inline sweep {
 
 class DepthOrder {
  public:
-  // ranges: per facet, as depth_ranges(mesh, scene) gives them; or none, and then they do not help.
-  DepthOrder(const Mesh& mesh, const ProjectedScene& scene, std::span<const DepthRange> ranges = {});
+  // ranges: per facet, as depth_ranges(scene) gives them; or none, and then they do not help.
+  DepthOrder(const ProjectedScene& scene, std::span<const DepthRange> ranges = {});
 
   [[nodiscard]] bool nearer(FacetId f, FacetId g);
 
@@ -73,7 +73,7 @@ class DepthOrder {
   [[nodiscard]] Sign seen_orientation(VertexId a, VertexId b, VertexId c);
   [[nodiscard]] Sign orientation(VertexId a, VertexId b, VertexId c, const HomogeneousPoint& d);
 
-  const Mesh& mesh_;
+  const CutMesh& mesh_;
   const Arithmetic arithmetic_;
   HomogeneousPoint eye_;
   const std::vector<Facing>& facing_;

@@ -43,12 +43,12 @@ DepthRange range_of(const Depth& depth) {
 
 }  // namespace
 
-std::vector<DepthRange> depth_ranges(const Mesh& mesh, const ProjectedScene& scene) {
+std::vector<DepthRange> depth_ranges(const ProjectedScene& scene) {
   std::vector<DepthRange> ranges(scene.status.size());
   parallel_for_each(ranges.size(), [&](std::size_t f) {
     DepthRange& range = ranges[f];
     for (const ClippedCorner& corner : scene.polygon(FacetId(f))) {
-      const DepthRange here = range_of(depth_of(scene.camera, position_of(mesh, scene, corner)));
+      const DepthRange here = range_of(depth_of(scene.camera, position_of(scene, corner)));
       range.nearest = std::min(range.nearest, here.nearest);
       range.farthest = std::max(range.farthest, here.farthest);
     }

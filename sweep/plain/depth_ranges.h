@@ -19,6 +19,6 @@ struct DepthRange {
   double farthest = -std::numeric_limits<double>::infinity();
 };
 
-[[nodiscard]] std::vector<DepthRange> depth_ranges(const Mesh& mesh, const ProjectedScene& scene);
+[[nodiscard]] std::vector<DepthRange> depth_ranges(const ProjectedScene& scene);
 
 }  // namespace sightline::inline sweep

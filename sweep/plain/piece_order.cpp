@@ -20,9 +20,9 @@ Sign common_side(const CutPolygon& polygon, const ExactPlane& plane) {
 
 }  // namespace
 
-PieceOrder::PieceOrder(const Mesh& mesh, const ProjectedScene& scene)
-    : mesh_(mesh), eye_(scene.camera.eye), facing_(scene.facing), crosses_(mesh.cuts.wholes.size(), 0) {
-  for (const auto& [a, b] : mesh.cuts.crossing) crosses_[a.index()] = crosses_[b.index()] = 1;
+PieceOrder::PieceOrder(const ProjectedScene& scene)
+    : mesh_(scene.mesh()), eye_(scene.camera.eye), facing_(scene.facing), crosses_(scene.mesh().cuts.wholes.size(), 0) {
+  for (const auto& [a, b] : mesh_.cuts.crossing) crosses_[a.index()] = crosses_[b.index()] = 1;
 }
 
 bool PieceOrder::applies_to(WholeId a, WholeId b) const {

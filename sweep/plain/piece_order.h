@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "geometry/cutting/facet_cutter.h"
-#include "geometry/mesh/mesh.h"
+#include "geometry/mesh/cut_mesh.h"
 #include "geometry/numbers/predicates.h"
 #include "geometry/projection/projected_scene.h"
 
@@ -21,7 +21,7 @@ namespace sightline::inline sweep {
 
 class PieceOrder {
  public:
-  PieceOrder(const Mesh& mesh, const ProjectedScene& scene);
+  PieceOrder(const ProjectedScene& scene);
 
   // Whether two wholes cross.
   [[nodiscard]] bool applies_to(WholeId a, WholeId b) const;
@@ -35,7 +35,7 @@ class PieceOrder {
   [[nodiscard]] CutPolygon seen_within(CutPolygon polygon, FacetId frame) const;
   [[nodiscard]] ExactPlane plane_through_eye(const ExactPosition& p, const ExactPosition& q) const;
 
-  const Mesh& mesh_;
+  const CutMesh& mesh_;
   HomogeneousPoint eye_;
   const std::vector<Facing>& facing_;
   std::vector<std::uint8_t> crosses_;  // per whole: 1 where it crosses any

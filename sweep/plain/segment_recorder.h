@@ -13,7 +13,7 @@
 #include <span>
 #include <vector>
 
-#include "geometry/mesh/mesh.h"
+#include "geometry/mesh/cut_mesh.h"
 #include "geometry/projection/projected_scene.h"
 #include "sweep/plain/active_edge_list.h"
 #include "sweep/segments/visible_segments.h"
@@ -34,8 +34,8 @@ struct NamedPoint {
 
 class SegmentRecorder {
  public:
-  SegmentRecorder(const Mesh& mesh, const ProjectedScene& scene, DepthOrder& depth, VisibleSegments& result)
-      : mesh_(mesh), scene_(scene), depth_(depth), result_(result) {}
+  SegmentRecorder(const ProjectedScene& scene, DepthOrder& depth, VisibleSegments& result)
+      : mesh_(scene.mesh()), scene_(scene), depth_(depth), result_(result) {}
 
   // below: the bundles below the point, left to right; they are in the active edge list with their edges and node
   // lists, and get their open segments here. left: what is over the span left of the point.
@@ -63,7 +63,7 @@ class SegmentRecorder {
   [[nodiscard]] Crossing crossing_of_carriers(PointId after, std::span<const BundleId> below,
                                               const ActiveEdgeList& active) const;
 
-  const Mesh& mesh_;
+  const CutMesh& mesh_;
   const ProjectedScene& scene_;
   DepthOrder& depth_;
   VisibleSegments& result_;

@@ -18,15 +18,15 @@ namespace {
 template <class Decisions>
 class Sweep : private SweepState {
  public:
-  Sweep(const Mesh& mesh, const ProjectedScene& scene, std::span<const DepthRange> depths, SweepObserver* observer)
+  Sweep(const ProjectedScene& scene, std::span<const DepthRange> depths, SweepObserver* observer)
       : scene_(scene),
         observer_(observer),
-        input_(mesh, scene),
+        input_(scene),
         directions_(scene),
         queue_(scene),
         active_(scene.edge_count()),
-        depth_(mesh, scene, depths),
-        recorder_(mesh, scene, depth_, result_) {}
+        depth_(scene, depths),
+        recorder_(scene, depth_, result_) {}
 
   VisibleSegments run() {
     while (queue_.next(point_)) {
@@ -315,18 +315,17 @@ class Sweep : private SweepState {
 
 }  // namespace
 
-VisibleSegments plain_sweep(const Mesh& mesh, const ProjectedScene& scene, SweepObserver* observer) {
+VisibleSegments plain_sweep(const ProjectedScene& scene, SweepObserver* observer) {
   const bool is_exact = scene.arithmetic == Arithmetic::exact;
-  return plain_sweep(mesh, scene, is_exact ? depth_ranges(mesh, scene) : std::vector<DepthRange>{}, observer);
+  return plain_sweep(scene, is_exact ? depth_ranges(scene) : std::vector<DepthRange>{}, observer);
 }
 
-VisibleSegments plain_sweep(const Mesh& mesh, const ProjectedScene& scene, std::span<const DepthRange> depths,
-                            SweepObserver* observer) {
-  if (scene.arithmetic == Arithmetic::exact) return Sweep<ExactDecisions>(mesh, scene, depths, observer).run();
+VisibleSegments plain_sweep(const ProjectedScene& scene, std::span<const DepthRange> depths, SweepObserver* observer) {
+  if (scene.arithmetic == Arithmetic::exact) return Sweep<ExactDecisions>(scene, depths, observer).run();
   return with_invariants_of(scene.arithmetic, [&] {
     return scene.arithmetic == Arithmetic::single_precision
-               ? Sweep<UnfilteredDecisions<float>>(mesh, scene, depths, observer).run()
-               : Sweep<UnfilteredDecisions<double>>(mesh, scene, depths, observer).run();
+               ? Sweep<UnfilteredDecisions<float>>(scene, depths, observer).run()
+               : Sweep<UnfilteredDecisions<double>>(scene, depths, observer).run();
   });
 }
 

@@ -15,7 +15,7 @@
 // Source: Fang 1993, section 5.3.1 and appendix B; Sechrest and Greenberg 1982; Nurmi 1985.
 #pragma once
 
-#include "geometry/mesh/mesh.h"
+#include "geometry/mesh/cut_mesh.h"
 #include "geometry/projection/projected_scene.h"
 #include "sweep/plain/depth_ranges.h"
 #include "sweep/segments/visible_segments.h"
@@ -43,11 +43,10 @@ class SweepObserver {
   virtual void look(const SweepState& /*state*/) {}
 };
 
-[[nodiscard]] VisibleSegments plain_sweep(const Mesh& mesh, const ProjectedScene& scene,
-                                          SweepObserver* observer = nullptr);
+[[nodiscard]] VisibleSegments plain_sweep(const ProjectedScene& scene, SweepObserver* observer = nullptr);
 
-// depths: as depth_ranges(mesh, scene) gives them for the facets in view, where they are known already.
-[[nodiscard]] VisibleSegments plain_sweep(const Mesh& mesh, const ProjectedScene& scene,
-                                          std::span<const DepthRange> depths, SweepObserver* observer);
+// depths: as depth_ranges(scene) gives them for the facets in view, where they are known already.
+[[nodiscard]] VisibleSegments plain_sweep(const ProjectedScene& scene, std::span<const DepthRange> depths,
+                                          SweepObserver* observer);
 
 }  // namespace sightline::inline sweep

@@ -16,15 +16,16 @@ void group(const ProjectedScene& scene, EndOf end_of, std::vector<EdgeId>& edges
 
 }  // namespace
 
-SweepInput::SweepInput(const Mesh& mesh, const ProjectedScene& scene) {
+SweepInput::SweepInput(const ProjectedScene& scene) {
   group(
       scene, [](const SceneEdge& e) { return e.top; }, by_top_, top_begin_);
   group(
       scene, [](const SceneEdge& e) { return e.bottom; }, by_bottom_, bottom_begin_);
-  find_several_vertices(mesh, scene);
+  find_several_vertices(scene);
 }
 
-void SweepInput::find_several_vertices(const Mesh& mesh, const ProjectedScene& scene) {
+void SweepInput::find_several_vertices(const ProjectedScene& scene) {
+  const CutMesh& mesh = scene.mesh();
   several_vertices_.assign(scene.points.size(), 0);
   std::vector<VertexId> seen(scene.points.size());
   for (const ClippedCorner& corner : scene.polygon_corners) {

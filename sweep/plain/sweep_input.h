@@ -5,14 +5,14 @@
 #include <span>
 #include <vector>
 
-#include "geometry/mesh/mesh.h"
+#include "geometry/mesh/cut_mesh.h"
 #include "geometry/projection/projected_scene.h"
 
 namespace sightline::inline sweep {
 
 class SweepInput {
  public:
-  SweepInput(const Mesh& mesh, const ProjectedScene& scene);
+  SweepInput(const ProjectedScene& scene);
 
   // The edges with this vertex as their lower (upper) end; none for an invalid vertex.
   [[nodiscard]] std::span<const EdgeId> ending_at(PointId p) const { return range(by_bottom_, bottom_begin_, p); }
@@ -27,7 +27,7 @@ class SweepInput {
     if (!p.valid()) return {};
     return std::span(edges).subspan(begin[p.index()], begin[p.index() + 1] - begin[p.index()]);
   }
-  void find_several_vertices(const Mesh& mesh, const ProjectedScene& scene);
+  void find_several_vertices(const ProjectedScene& scene);
 
   std::vector<EdgeId> by_top_, by_bottom_;
   std::vector<std::uint32_t> top_begin_, bottom_begin_;

@@ -12,6 +12,7 @@
 #include "cli/pages/report_page.h"
 #include "cli/pages/view_block.h"
 #include "formats/writing/window_points.h"
+#include "tests/tools/analyzed.h"
 #include "tests/tools/command_runner.h"
 
 namespace sightline::tests::cli_report_page_test {
@@ -83,7 +84,7 @@ Hidden hidden_part() {
       build_mesh({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}, {-3, 0, -1}, {3, 0, -1}, {0, 0.5, -1}}, faces);
   ViewPoint front;
   front.eye = {0, 0, 8};
-  result.view = analyze(result.mesh, perspective_camera("front", front, 60));
+  result.view = analyzed(result.mesh, perspective_camera("front", front, 60));
   return result;
 }
 
@@ -91,8 +92,8 @@ Hidden hidden_part() {
 std::vector<std::string> page_blocks(const Hidden& hidden, std::size_t views, std::size_t room) {
   ReportPage page(room);
   for (std::size_t i = 0; i < views; ++i)
-    page.add_view(hidden.mesh, hidden.view, window_points(hidden.view), measure_faces(hidden.mesh, hidden.view));
-  return blocks_of(page.text({}, hidden.mesh, {}, {}));
+    page.add_view(hidden.view, window_points(hidden.view), measure_faces(hidden.view));
+  return blocks_of(page.text({}, hidden.view.mesh(), {}, {}));
 }
 
 bool has_pages() { return !page_pieces(PageName::report).empty(); }

@@ -12,7 +12,7 @@
 #include "geometry/mesh/facet_plane.h"
 #include "oracle/judging/judge.h"
 #include "oracle/scenes/crossing_scenes.h"
-#include "sightline/analyze.h"
+#include "tests/tools/analyzed.h"
 
 namespace sightline::tests::coverage_laws_test {
 using namespace lattice;
@@ -24,7 +24,7 @@ constexpr std::size_t panel_count = 2;
 
 // A scene that passes through itself, with cameras and panels around it.
 struct SeenScene {
-  Mesh mesh;
+  CutMesh mesh;
   std::vector<LabelledMesh> labelled;  // per camera
   std::vector<SeenPart> seen;
 };
@@ -61,12 +61,12 @@ SeenScene seen_scene(std::uint64_t seed) {
   Random random(seed);
   std::vector<Panel> panels;
   while (panels.size() < panel_count) panels.push_back(panel_at(middle + size * random.in_cube(1), size, random));
-  const MirrorWorld world = make_mirror_world(scene.mesh, panels);
+  const MirrorWorld world = mirror_world(scene.mesh, panels);
   const Vector3 direction = random.in_cube(1);
   for (std::size_t c = 0; c < camera_count; ++c) {
     const Point3 eye = middle + size * (direction + random.in_cube(0.3));
     const ViewPoint view{eye, middle + size * random.in_cube(0.2), {0.1, 1, 0.2}, 1, {}, {}};
-    scene.labelled.push_back(analyze(world, perspective_camera("c", view, 35)).labelled);
+    scene.labelled.push_back(analyzed(world, perspective_camera("c", view, 35)).labelled);
     scene.seen.push_back(seen_part(scene.labelled.back()));
   }
   return scene;
@@ -85,7 +85,7 @@ std::vector<SpaceTriangle> triangles_on(const SeenScene& scene, FacetId surface,
   return triangles;
 }
 
-double surface_area(const Mesh& mesh, FacetId surface) {
+double surface_area(const CutMesh& mesh, FacetId surface) {
   double area = 0;
   for (std::size_t f = surface.index(); f < end_of_surface(mesh, surface).index(); ++f)
     area += facet_area(mesh, FacetId(f));
@@ -98,7 +98,7 @@ struct Swept {
   double error = 0;
 };
 std::vector<Swept> swept_areas(const SeenScene& scene, bool reflecting) {
-  const Mesh& mesh = scene.mesh;
+  const CutMesh& mesh = scene.mesh;
   std::vector<Swept> faces(mesh.face_count());
   for (FacetId s(0); s.index() < mesh.facet_count(); s = end_of_surface(mesh, s)) {
     const auto triangles = triangles_on(scene, s, reflecting);
@@ -161,7 +161,7 @@ bool is_in(const SpaceTriangle& t, const Point3& p) {
   return true;
 }
 
-Point3 random_point(const Mesh& mesh, FacetId facet, Random& random) {
+Point3 random_point(const CutMesh& mesh, FacetId facet, Random& random) {
   const auto corners = mesh.corners(facet);
   REQUIRE(corners.size() == 3);
   double u = random.between(0, 1);
@@ -183,7 +183,7 @@ struct Hits {
 
 // On surfaces of one triangle.
 void shoot(const SeenScene& scene, Random& random, Hits& hits) {
-  const Mesh& mesh = scene.mesh;
+  const CutMesh& mesh = scene.mesh;
   for (FacetId s(0); s.index() < mesh.facet_count(); s = end_of_surface(mesh, s)) {
     if (end_of_surface(mesh, s).index() != s.index() + 1 || mesh.corners(s).size() != 3) continue;
     const auto triangles = triangles_on(scene, s, false);

@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "oracle/judging/judge.h"
-#include "sightline/analyze.h"
 #include "tests/reflect/mirror_outcome.h"
+#include "tests/tools/analyzed.h"
 
 namespace sightline::tests::coverage_test {
 namespace {
@@ -28,12 +28,12 @@ Camera over(double x, double y, double half_width) {
 
 Coverage covered(const std::vector<Corners>& surface, const std::vector<Camera>& cameras,
                  const std::vector<Panel>& panels = {}) {
-  const Mesh mesh = lattice::cut(mesh_of(surface));
-  const MirrorWorld world = make_mirror_world(mesh, panels);
+  const CutMesh mesh = lattice::cut(mesh_of(surface));
+  const MirrorWorld world = mirror_world(mesh, panels);
   std::vector<SeenPart> seen;
   for (const Camera& camera : cameras) {
-    const View view = analyze(world, camera);
-    CHECK(lattice::joined(lattice::complaints_of_stages(mesh, view)) == "");
+    const View view = analyzed(world, camera);
+    CHECK(lattice::joined(lattice::complaints_of_stages(view)) == "");
     seen.push_back(seen_part(view.labelled));
   }
   return cover(mesh, seen, panels.size());
@@ -156,7 +156,7 @@ TEST_CASE("a small mirror that shows a panel all over in one camera") {
 
 TEST_CASE("what is kept of a view: no triangles where a surface is all alike") {
   const Mesh mesh = mesh_of({square, {{9, 0, 0}, {10, 0, 0}, {9, 1, 0}}});
-  const auto kept = [&](const Camera& camera) { return seen_part(analyze(mesh, camera).labelled); };
+  const auto kept = [&](const Camera& camera) { return seen_part(analyzed(mesh, camera).labelled); };
   const SeenPart whole = kept(over(2, 2, 3));
   REQUIRE(whole.surfaces.size() == 1);
   CHECK(whole.surfaces[0].seen_everywhere);

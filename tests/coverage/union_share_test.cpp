@@ -35,7 +35,7 @@ UnionShare mapped_share(const Triangles& triangles, Map map) {
   for (SpaceTriangle& t : mapped) {
     for (Point3& p : t) p = map(p);
   }
-  return union_share(mesh_of({surface}), FacetId(0), mapped);
+  return union_share(uncrossed(mesh_of({surface})), FacetId(0), mapped);
 }
 
 UnionShare share(const Triangles& triangles) {

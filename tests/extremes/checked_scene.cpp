@@ -29,11 +29,11 @@ void check_order(const Mesh& mesh, const Sight& sight, const Allowances& allowan
 
 void check_sight(const Mesh& mesh, const Sight& sight, const Allowances& allowances) {
   INFO("camera ", sight.camera.name);
-  Complaints complaints = complaints_of_stages_and_laws(mesh, sight.view);
+  Complaints complaints = complaints_of_stages_and_laws(sight.view);
   if (allowances.coarse_doubles)
     std::erase_if(complaints, [](const std::string& line) { return line.starts_with("labelled: "); });
   CHECK(some(complaints) == "");
-  const RayTally rays = compare_rays(mesh, sight.view);
+  const RayTally rays = compare_rays(sight.view);
   CHECK(some(rays.complaints) == "");
   CHECK(rays.decided >= 200);
   CHECK(total(sight.areas) <= 4);

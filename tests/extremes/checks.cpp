@@ -71,15 +71,17 @@ std::string number(const Rational& value) {
 
 }  // namespace
 
-Complaints complaints_of_stages_and_laws(const Mesh& mesh, const View& view) {
-  Complaints complaints = lattice::complaints_of_stages(mesh, view);
+Complaints complaints_of_stages_and_laws(const View& view) {
+  const CutMesh& mesh = view.scene.mesh();
+  Complaints complaints = lattice::complaints_of_stages(view);
   append(complaints, lattice::input_vertices_kept(mesh, view.labelled));
   append(complaints, lattice::areas_kept(mesh, view.labelled));
   if (lattice::is_closed(mesh) && !lattice::is_closed(view.labelled)) complaints.push_back("the surface is open now");
   return complaints;
 }
 
-RayTally compare_rays(const Mesh& mesh, const View& view) {
+RayTally compare_rays(const View& view) {
+  const CutMesh& mesh = view.scene.mesh();
   const std::vector<ImagePoint> rays = chosen_rays(view.scene);
   auto hits = lattice::cast(view.scene, rays);
   mark_near_edges(hits, view.scene, rays);
@@ -88,7 +90,7 @@ RayTally compare_rays(const Mesh& mesh, const View& view) {
   for (std::size_t r = 0; r < rays.size(); ++r) {
     if (hits[r].on_edge) continue;
     auto& facets = hits[r].facets;
-    if (facets.size() > 1) lattice::sort_by_depth(facets, mesh, view.scene, rays[r]);
+    if (facets.size() > 1) lattice::sort_by_depth(facets, view.mesh(), view.scene, rays[r]);
     std::vector<FaceId> expected;
     if (!facets.empty()) expected.push_back(mesh.facet_face[facets.front().index()]);
     std::vector<FaceId> shown;

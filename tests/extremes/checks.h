@@ -6,7 +6,7 @@
 namespace sightline::extremes {
 
 // Every stage's validator; the labelled surface keeps vertices and areas, and is closed where the mesh is.
-[[nodiscard]] Complaints complaints_of_stages_and_laws(const Mesh& mesh, const View& view);
+[[nodiscard]] Complaints complaints_of_stages_and_laws(const View& view);
 
 // Fixed rays all over the window, and rays three grid units beside corners of the image, held against the visible
 // polygons.
@@ -18,7 +18,7 @@ struct RayTally {
   std::size_t seen = 0;  // of these, how many see a face
   Complaints complaints;
 };
-[[nodiscard]] RayTally compare_rays(const Mesh& mesh, const View& view);
+[[nodiscard]] RayTally compare_rays(const View& view);
 
 // The visible areas with the faces in another order, put back into the old one.
 [[nodiscard]] std::vector<Rational> areas_when_shuffled(const Mesh& mesh, const Sight& sight, std::uint64_t seed);

@@ -7,6 +7,7 @@
 #include "formats/reading/obj_reader.h"
 #include "geometry/cutting/interpenetration.h"
 #include "geometry/projection/clipping.h"
+#include "tests/tools/analyzed.h"
 
 namespace sightline::extremes {
 
@@ -15,12 +16,12 @@ ExtremeScene read_extreme(const std::string& name) {
   return {read_obj(std::filesystem::path(scene.mesh_file)).mesh, scene.sides, scene.cameras};
 }
 
-Sight sight(const Mesh& mesh, const Camera& camera, SidesPolicy policy) {
-  const MeshContacts contacts = policy == SidesPolicy::automatic ? find_contacts(mesh) : MeshContacts{};
+Sight sight(const tests::AnyMesh& mesh, const Camera& camera, SidesPolicy policy) {
+  const MeshContacts contacts = policy == SidesPolicy::automatic ? find_contacts(*mesh) : MeshContacts{};
   const Sides sides = decide_sides(mesh, contacts, camera, policy).sides;
-  Sight result{camera, sides, analyze(mesh, camera, sides), {}};
+  Sight result{camera, sides, analyzed(mesh, camera, sides), {}};
   const Rational unit(1, boost::multiprecision::cpp_int(1) << static_cast<unsigned>(2 * result.view.scene.grid_bits));
-  result.areas = lattice::visible_areas(mesh, result.view);
+  result.areas = lattice::visible_areas(result.view);
   for (Rational& area : result.areas) area *= unit;
   return result;
 }
@@ -51,12 +52,12 @@ Rational total(const std::vector<Rational>& areas) {
   return sum;
 }
 
-bool is_exact(const Mesh& mesh, const Sight& sight) {
+bool is_exact(const tests::AnyMesh& mesh, const Sight& sight) {
   const auto bits = static_cast<unsigned>(sight.view.scene.grid_bits);
   const auto on_grid = [&](const ExactCorner& c) {
     return BigInteger(c.x << bits) % c.w == 0 && BigInteger(c.y << bits) % c.w == 0;
   };
-  for (std::size_t f = 0; f < mesh.facet_count(); ++f) {
+  for (std::size_t f = 0; f < mesh->facet_count(); ++f) {
     if (sight.view.scene.status[f] != Status::in_view) continue;
     const auto corners = clip(mesh, sight.camera, FacetId(f));
     if (!std::all_of(corners.begin(), corners.end(), on_grid)) return false;

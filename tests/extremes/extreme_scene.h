@@ -8,7 +8,7 @@
 
 #include "geometry/projection/culling.h"
 #include "oracle/judging/judge.h"
-#include "sightline/analyze.h"
+#include "tests/tools/analyzed.h"
 
 namespace sightline::extremes {
 
@@ -31,7 +31,7 @@ struct Sight {
 [[nodiscard]] ExtremeScene read_extreme(const std::string& name);
 
 // Camera and sides as the command takes them.
-[[nodiscard]] Sight sight(const Mesh& mesh, const Camera& camera, SidesPolicy policy);
+[[nodiscard]] Sight sight(const tests::AnyMesh& mesh, const Camera& camera, SidesPolicy policy);
 
 [[nodiscard]] const Camera& camera_called(const std::vector<Camera>& cameras, std::string_view name);
 [[nodiscard]] const Sight& sight_from(const std::vector<Sight>& sights, std::string_view name);
@@ -42,6 +42,6 @@ struct Sight {
 [[nodiscard]] Rational total(const std::vector<Rational>& areas);
 
 // Whether the image needs no rounding: every corner, clipped ones included, is a grid point, exactly.
-[[nodiscard]] bool is_exact(const Mesh& mesh, const Sight& sight);
+[[nodiscard]] bool is_exact(const tests::AnyMesh& mesh, const Sight& sight);
 
 }  // namespace sightline::extremes

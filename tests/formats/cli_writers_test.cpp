@@ -22,6 +22,7 @@
 #include "formats/writing/view_svg.h"
 #include "formats/writing/window_points.h"
 #include "tests/cli/xml_reader.h"
+#include "tests/tools/analyzed.h"
 #include "tests/tools/command_runner.h"
 
 namespace sightline::tests::cli_writers_test {
@@ -48,9 +49,9 @@ Analysed analysed(const std::string& scene_file, std::size_t camera) {
   Analysed result;
   result.scene = read_scene_file(std::string(SIGHTLINE_FIXTURES_DIR) + "/" + scene_file);
   result.input = read_mesh(result.scene.mesh_file, Normals::passed_over, default_memory_limit(), silent);
-  result.analysis = analyze_view(result.input, make_mirror_world(result.input.mesh, result.scene.panels),
-                                 result.scene.cameras[camera], {result.scene.sides, {}, Engine::fast}, silent);
-  result.faces = measure_faces(result.input.mesh, result.analysis.view);
+  const Analyzer analyzer(std::move(result.input.mesh), {.sides = result.scene.sides});
+  result.analysis.view = analyzer.view(result.scene.cameras[camera], result.scene.panels);
+  result.faces = measure_faces(result.analysis.view);
   return result;
 }
 
@@ -97,8 +98,8 @@ const double triangle = shoelace({O, P, Q});
 const double triangle_visible = shoelace({O, F, D, C, I, Q}) + shoelace({P, H, G});
 constexpr double square_units = 4.0 / 256;  // the window's area over Fang's square
 
-std::string svg_of(const Mesh& mesh, const View& view) {
-  return text_of([&](TextBuffer& out) { write_view_svg(mesh, view, window_points(view), {}, out); });
+std::string svg_of(const View& view) {
+  return text_of([&](TextBuffer& out) { write_view_svg(view, window_points(view), {}, out); });
 }
 
 }  // namespace
@@ -199,8 +200,8 @@ TEST_CASE("a face that is partly in view or skipped has the measures of its part
   above.eye = {0, 0, 1};
   for (const bool from_behind : {false, true}) {
     above.eye.z = from_behind ? -1 : 1;
-    const View view = analyze(mesh, orthographic_camera("c", above, 2));
-    const auto measures = measure_faces(mesh, view);
+    const View view = analyzed(mesh, orthographic_camera("c", above, 2));
+    const auto measures = measure_faces(view);
     CHECK(measures[0].facing == (from_behind ? FaceFacing::back : FaceFacing::front));
     CHECK(measures[0].label == (from_behind ? Label::back_facing : Label::visible));
     CHECK(measures[0].area == 4);
@@ -218,7 +219,7 @@ TEST_CASE("segments.csv has Fang's fourteen segments, and each runs along its me
   const Analysed fang_view = fang();
   const View& view = fang_view.analysis.view;
   const auto lines = lines_of(
-      text_of([&](TextBuffer& out) { write_segments_table(fang_view.input.mesh, view, window_points(view), out); }));
+      text_of([&](TextBuffer& out) { write_segments_table(fang_view.analysis.view, window_points(view), out); }));
   CHECK(lines[0] == "face,start_x,start_y,end_x,end_y,edge,other_face");
   REQUIRE(lines.size() == 15);
   std::map<std::string, int> faces;
@@ -229,8 +230,8 @@ TEST_CASE("segments.csv has Fang's fourteen segments, and each runs along its me
     ++faces[cells[0]];
     const auto ends = split(cells[5], '-');
     REQUIRE(ends.size() == 2);
-    const Point3& u = fang_view.input.mesh.vertices[std::stoul(ends[0])];
-    const Point3& v = fang_view.input.mesh.vertices[std::stoul(ends[1])];
+    const Point3& u = fang_view.analysis.view.mesh().vertices[std::stoul(ends[0])];
+    const Point3& v = fang_view.analysis.view.mesh().vertices[std::stoul(ends[1])];
     for (const std::size_t at : {std::size_t{1}, std::size_t{3}}) {
       const double x = 8 + 8 * number(cells[at]);
       const double y = 8 + 8 * number(cells[at + 1]);
@@ -247,7 +248,7 @@ TEST_CASE("view.svg is well-formed and has one path per visible polygon, with di
        {std::pair<const char*, std::size_t>{"fang/scene.toml", 0}, {"demo/scene.toml", 2}}) {
     const Analysed analysed_view = analysed(file, camera);
     const View& view = analysed_view.analysis.view;
-    const std::string svg = svg_of(analysed_view.input.mesh, view);
+    const std::string svg = svg_of(analysed_view.analysis.view);
     const auto elements = sightline::tests::read_xml(svg);
     std::set<std::string> ids;
     std::size_t paths = 0;
@@ -269,7 +270,7 @@ TEST_CASE("a camera's name cannot break the SVG") {
   const Analysed fang_view = fang();
   View view = fang_view.analysis.view;
   view.scene.camera.name = "a&b</title><script>";
-  const std::string svg = svg_of(fang_view.input.mesh, view);
+  const std::string svg = svg_of(fang_view.analysis.view);
   for (const auto& element : sightline::tests::read_xml(svg)) CHECK(element.name != "script");
 }
 

@@ -10,8 +10,8 @@
 #include "geometry/projection/unfiltered.h"
 #include "oracle/judging/judge.h"
 #include "oracle/scenes/random_scenes.h"
-#include "sightline/analyze.h"
 #include "sweep/segments/image_decisions.h"
+#include "tests/tools/analyzed.h"
 
 namespace sightline::tests::arithmetic_test {
 namespace {
@@ -28,7 +28,7 @@ struct Outcomes {
 // Anything but a view or an ArithmeticError fails the test.
 void run(const Mesh& mesh, const Camera& camera, Sides sides, const Precision& precision, Outcomes& outcomes) {
   try {
-    const View view = analyze(mesh, camera, sides, nullptr, precision);
+    const View view = analyzed(mesh, camera, sides, precision);
     CHECK(validate(view.segments, view.scene).empty());
     ++outcomes.complete;
   } catch (const ArithmeticError& error) {
@@ -90,7 +90,7 @@ Mesh two_sheets(double gap) {
 Camera from_above() { return orthographic_camera("above", {{0, 0, 10}, {0, 0, 0}, {0, 1, 0}, 1, {}, {}}, 4); }
 
 std::size_t visible_face(const Mesh& mesh, Arithmetic arithmetic) {
-  const View view = analyze(mesh, from_above(), Sides::both, nullptr, {arithmetic});
+  const View view = analyzed(mesh, from_above(), Sides::both, {arithmetic});
   REQUIRE(view.polygons.polygons.size() == 1);
   return view.polygons.polygons[0].face.index();
 }
@@ -160,10 +160,10 @@ TEST_CASE("on a coarse grid exact stays valid, and double agrees where everythin
     const lattice::RandomScene scene = lattice::random_scene(s);
     const Mesh mesh = lattice::mesh_of(scene);
     for (const int bits : {8, 13, 24}) {
-      const View view = analyze(mesh, scene.camera, scene.sides, nullptr, {Arithmetic::exact, bits});
+      const View view = analyzed(mesh, scene.camera, scene.sides, {Arithmetic::exact, bits});
       CHECK(validate(view.scene).empty());
       CHECK(validate(view.segments, view.scene).empty());
-      CHECK(validate(view.polygons, mesh, view.scene, view.segments).empty());
+      CHECK(validate(view.polygons, view.scene, view.segments).empty());
     }
   }
 }

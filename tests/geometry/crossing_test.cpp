@@ -10,6 +10,7 @@
 #include "oracle/scenes/crossing_kinds.h"
 #include "oracle/scenes/crossing_scenes.h"
 #include "oracle/truth/truth.h"
+#include "tests/tools/analyzed.h"
 
 namespace sightline::tests::crossing_test {
 using namespace oracle;
@@ -30,7 +31,8 @@ Rational in_window_units(const Rational& grid_area, int grid_bits) {
 
 // Whether every point that cutting made falls on the grid exactly, where the camera sees it. One that clipping made of a
 // facet that was cut may not.
-bool cuts_are_on_grid(const Mesh& mesh, const View& view) {
+bool cuts_are_on_grid(const View& view) {
+  const CutMesh& mesh = view.scene.mesh();
   for (std::size_t f = 0; mesh.is_cut() && f < mesh.facet_count(); ++f) {
     const WholeId w = mesh.cuts.whole_of[f];
     const bool was_cut = mesh.cuts.first_facet[w.index() + 1].index() - mesh.cuts.first_facet[w.index()].index() > 1;
@@ -91,7 +93,8 @@ std::set<PlacePair> seen_border(const LabelledMesh& labelled, FaceId face) {
 }
 
 // Pairs of visible segments of two faces that run along one common line, to and fro.
-std::size_t common_segments(const Mesh& mesh, const View& view) {
+std::size_t common_segments(const View& view) {
+  const CutMesh& mesh = view.scene.mesh();
   std::set<std::array<std::uint32_t, 3>> known;
   std::size_t pairs = 0;
   for (const VisibleSegment& s : view.segments.segments) {
@@ -108,7 +111,8 @@ std::size_t common_segments(const Mesh& mesh, const View& view) {
 
 // Where two faces are seen on either side of their common line, they meet there in the same points of space, bit for bit.
 // Returns how many such pieces of lines there are.
-std::size_t check_meetings(Complaints& complaints, const Mesh& mesh, const View& view) {
+std::size_t check_meetings(Complaints& complaints, const View& view) {
+  const CutMesh& mesh = view.scene.mesh();
   std::vector<std::set<PlacePair>> borders;
   for (std::size_t f = 0; f < mesh.face_count(); ++f) borders.push_back(seen_border(view.labelled, FaceId(f)));
   std::size_t meetings = 0;
@@ -119,7 +123,7 @@ std::size_t check_meetings(Complaints& complaints, const Mesh& mesh, const View&
   }
   // What is below resolution is not called seen.
   const bool all_seen = std::ranges::none_of(view.polygons.polygons, &VisiblePolygon::below_resolution);
-  if (all_seen && meetings < common_segments(mesh, view))
+  if (all_seen && meetings < common_segments(view))
     complaints.emplace_back("two faces that meet along their common line do not meet in the same points");
   return meetings;
 }
@@ -136,17 +140,17 @@ Judgement judge_crossing(const RandomScene& scene) {
   Judgement judgement;
   try {
     const Mesh whole = mesh_of(scene);
-    const Mesh mesh = cut(whole);
-    const View view = analyze(mesh, scene.camera, scene.sides);
-    judgement.complaints = complaints_of_stages(mesh, view);
+    const CutMesh mesh = cut(whole);
+    const View view = analyzed(mesh, scene.camera, scene.sides);
+    judgement.complaints = complaints_of_stages(view);
     judgement.crossing = mesh.cuts.crossing.size();
     judgement.kinds = crossing_kinds(mesh);
-    judgement.exact = cuts_are_on_grid(mesh, view);
-    std::vector<Rational> areas = visible_areas(mesh, view);
+    judgement.exact = cuts_are_on_grid(view);
+    std::vector<Rational> areas = visible_areas(view);
     for (Rational& area : areas) area = in_window_units(area, view.scene.grid_bits);
     compare_areas(judgement.complaints, true_visibility(whole, scene.camera, scene.sides), areas,
                   judgement.exact ? Rational(0) : allowed_difference(view.scene));
-    judgement.meetings = check_meetings(judgement.complaints, mesh, view);
+    judgement.meetings = check_meetings(judgement.complaints, view);
   } catch (const std::exception& error) {
     judgement.complaints.push_back(std::string("exception: ") + error.what());
   }

@@ -76,7 +76,7 @@ Camera camera_at(const HomogeneousPoint& eye) {
 }
 
 SidesDecision decide(const Mesh& mesh, const HomogeneousPoint& eye, SidesPolicy policy = SidesPolicy::automatic) {
-  return decide_sides(mesh, find_contacts(mesh), camera_at(eye), policy);
+  return decide_sides(uncrossed(mesh), find_contacts(mesh), camera_at(eye), policy);
 }
 
 std::string reason_for(const Solid& solid, const Point3& eye) {
@@ -208,9 +208,9 @@ TEST_CASE("inside, outside, on: every point of a grid over the L, most of whose 
 TEST_CASE("a near plane may cut a closed surface open") {
   const Mesh mesh = mesh_of(unit_cube());
   Camera camera = camera_at({{5, 5, 5}, 1});
-  CHECK(decide_sides(mesh, find_contacts(mesh), camera, SidesPolicy::automatic).sides == Sides::front);
+  CHECK(decide_sides(uncrossed(mesh), find_contacts(mesh), camera, SidesPolicy::automatic).sides == Sides::front);
   camera.near_distance = 1;
-  CHECK(decide_sides(mesh, find_contacts(mesh), camera, SidesPolicy::automatic).sides == Sides::both);
+  CHECK(decide_sides(uncrossed(mesh), find_contacts(mesh), camera, SidesPolicy::automatic).sides == Sides::both);
 }
 
 TEST_CASE("the sign of a volume is exact, far from the origin, tiny or huge") {
@@ -261,7 +261,7 @@ TEST_CASE("closed models are culled from outside, and not from inside or when th
     const Mesh mesh = read_obj(shared_model(name)).mesh;
     const MeshContacts contacts = find_contacts(mesh);
     const SidesDecision decision =
-        decide_sides(mesh, contacts, camera_at({{300, 200, 500}, 1}), SidesPolicy::automatic);
+        decide_sides(uncrossed(mesh), contacts, camera_at({{300, 200, 500}, 1}), SidesPolicy::automatic);
     INFO(decision.reason);
     const std::string model = name;
     if (model == "self_intersectA") {

@@ -6,6 +6,7 @@
 #include "geometry/projection/clipping.h"
 #include "geometry/projection/projected_scene.h"
 #include "geometry/projection/vertex_projection.h"
+#include "tests/tools/analyzed.h"
 
 namespace sightline::tests::projection_test {
 namespace {
@@ -81,7 +82,7 @@ TEST_CASE("no near plane: a face through the eye's plane is clipped at the windo
   for (const ClippedCorner& corner : scene.polygon(FacetId(0))) {
     CHECK(scene.point(corner.point).y >= -edge);
     CHECK(scene.point(corner.point).y < 0);
-    CHECK(position_of(mesh, scene, corner).y == -1);
+    CHECK(position_of(scene, corner).y == -1);
   }
 }
 

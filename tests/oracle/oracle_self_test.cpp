@@ -47,14 +47,14 @@ Rational signed_area(const Ring& ring) {
 }  // namespace
 
 TEST_CASE("the nearer of two squares hides the other where they overlap") {
-  const Visibility v = visibility({{0, box(0, 0, 10, 10), level(1)}, {1, box(5, 5, 15, 15), level(2)}}, 2);
+  const lattice::Visibility v = visibility({{0, box(0, 0, 10, 10), level(1)}, {1, box(5, 5, 15, 15), level(2)}}, 2);
   CHECK(v.area[0] == 75);
   CHECK(v.area[1] == 100);
   CHECK(v.uncovered == window - 175);
 }
 
 TEST_CASE("of coplanar faces the lower number is in front, whatever the order in the list") {
-  const Visibility v = visibility({{1, box(0, 0, 10, 10), level(1)}, {0, box(5, 5, 15, 15), level(1)}}, 2);
+  const lattice::Visibility v = visibility({{1, box(0, 0, 10, 10), level(1)}, {0, box(5, 5, 15, 15), level(1)}}, 2);
   CHECK(v.area[0] == 100);
   CHECK(v.area[1] == 75);
 }
@@ -62,7 +62,7 @@ TEST_CASE("of coplanar faces the lower number is in front, whatever the order in
 TEST_CASE("slanted edges give exact rational areas") {
   const Ring up{{0, 0}, {6, 0}, {3, 7}};
   const Ring down{{0, 5}, {3, -2}, {6, 5}};
-  const Visibility v = visibility({{0, up, level(1)}, {1, down, level(2)}}, 2);
+  const lattice::Visibility v = visibility({{0, up, level(1)}, {1, down, level(2)}}, 2);
   CHECK(v.area[1] == 21);
   // The overlap is the hexagon left when `up` loses its three tips: the top one is similar by (7 - 5) / 7; the two at
   // the base, by symmetry, end where the edges 7 x = 3 y and 7 x = 15 - 3 y cross, at y = 5 / 2, and where `down` meets
@@ -91,7 +91,7 @@ TEST_CASE("visible areas and the uncovered area fill the window") {
     INFO("seed ", seed);
     const RandomScene scene = random_scene(seed);
     const Mesh mesh = mesh_of(scene);
-    const Visibility v = visibility(oracle_faces(mesh, scene.camera, scene.sides), mesh.face_count());
+    const lattice::Visibility v = visibility(oracle_faces(mesh, scene.camera, scene.sides), mesh.face_count());
     Rational sum = v.uncovered;
     for (const Rational& area : v.area) sum += area;
     CHECK(sum == window);

@@ -38,7 +38,7 @@ Rational total(const Truth& truth) {
 void check_same(const RandomScene& scene) {
   const Mesh mesh = mesh_of(scene);
   const Truth truth = true_visibility(mesh, scene.camera, scene.sides);
-  const Visibility integers = visibility(oracle_faces(mesh, scene.camera, scene.sides), mesh.face_count());
+  const lattice::Visibility integers = visibility(oracle_faces(mesh, scene.camera, scene.sides), mesh.face_count());
   const Rational unit = Rational(1) / half_window / half_window;
   CHECK(total(truth) == 4);
   CHECK(truth.uncovered == integers.uncovered * unit);

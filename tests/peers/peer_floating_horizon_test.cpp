@@ -14,7 +14,7 @@
 #include "oracle/judging/judge.h"
 #include "oracle/lattice/lattice.h"
 #include "peers/lines/height_field.h"
-#include "sightline/analyze.h"
+#include "tests/tools/analyzed.h"
 #include "tests/tools/polygon_mesh.h"
 
 namespace sightline::tests::peer_floating_horizon_test {
@@ -122,8 +122,8 @@ void check_edge(const std::vector<Interval>& seen, const VisibleLines& lines, Po
 
 // At every centre of a column, each polyline is drawn where the sweep sees it.
 void check_field(const Mesh& mesh, const Camera& camera, Sampled& sampled) {
-  const View view = analyze(mesh, camera, Sides::both);
-  const FlatScene scene = flat_scene(mesh, view.scene);
+  const View view = analyzed(mesh, camera, Sides::both);
+  const FlatScene scene = flat_scene(view.scene);
   const VisibleLines lines = std::get<VisibleLines>(floating_horizon().run(scene, resolution).seen);
   const SeenIntervals seen = seen_intervals(view);
   for (const auto& polyline : height_field(scene).polylines) {
@@ -160,7 +160,7 @@ double anywhere(Dice& dice) { return dice.between(-1000, 1000) * 1e-3; }
 std::string refusal(const Mesh& mesh, const Camera& camera, Sides sides = Sides::both) {
   const ProjectedScene projected = project(mesh, camera, sides);
   try {
-    (void)floating_horizon().run(flat_scene(mesh, projected), resolution);
+    (void)floating_horizon().run(flat_scene(projected), resolution);
   } catch (const RefusedScene& refused) {
     return refused.what();
   }
@@ -234,7 +234,7 @@ TEST_CASE("Floating horizon, the slides' arrays: a polyline is drawn above YMAX 
   const Mesh mesh = tests::mesh_of(faces);
   const Camera camera = orthographic_camera("front", view_from({0, 0, 9}, {0, 0, 0}), 2);
   const ProjectedScene projected = project(mesh, camera, Sides::both);
-  const Outcome outcome = floating_horizon().run(flat_scene(mesh, projected), 4);
+  const Outcome outcome = floating_horizon().run(flat_scene(projected), 4);
   const VisibleLines& drawn = std::get<VisibleLines>(outcome.seen);
   REQUIRE(drawn.size() == 5);
   CHECK(drawn[0].to == Point2{0, 0.25});

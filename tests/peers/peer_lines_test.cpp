@@ -11,8 +11,8 @@
 #include "oracle/lattice/lattice.h"
 #include "oracle/scenes/crossing_scenes.h"
 #include "peers/lines/appel.h"
-#include "sightline/analyze.h"
 #include "tests/peers/visible_line_sets.h"
+#include "tests/tools/analyzed.h"
 #include "tests/tools/polygon_mesh.h"
 #include "tests/tools/random_surfaces.h"
 
@@ -30,9 +30,9 @@ struct Comparison {
   int least = 0;              // Q_v
 };
 
-Comparison compare(const Mesh& mesh, const Camera& camera, Sides sides) {
-  const View view = analyze(mesh, camera, sides);
-  const FlatScene scene = flat_scene(mesh, view.scene);
+Comparison compare(const AnyMesh& mesh, const Camera& camera, Sides sides) {
+  const View view = analyzed(mesh, camera, sides);
+  const FlatScene scene = flat_scene(view.scene);
   const VisibleLines exact = tests::visible_segments(view);
   const VisibleLines ours = std::get<VisibleLines>(appel().run(scene, 0).seen);
   Comparison result{tests::uncovered(ours, exact), tests::uncovered(exact, ours), ours.size(), 0, 0, 0};
@@ -52,7 +52,7 @@ struct Totals {
   std::size_t crossings = 0;
 };
 
-void check_same(const Mesh& mesh, const Camera& camera, Sides sides, Totals& totals) {
+void check_same(const AnyMesh& mesh, const Camera& camera, Sides sides, Totals& totals) {
   const Comparison result = compare(mesh, camera, sides);
   CHECK(result.only_appel == 0);
   CHECK(result.only_exact == 0);
@@ -64,7 +64,7 @@ void check_same(const Mesh& mesh, const Camera& camera, Sides sides, Totals& tot
 }
 
 // Appel's limit: faces that meet outside of shared vertices and edges, and do not pass through each other.
-bool touches(const Mesh& mesh) { return !find_contacts(mesh).touching.empty(); }
+bool touches(const PolygonMesh& mesh) { return !find_contacts(mesh).touching.empty(); }
 
 ViewPoint view_from(const Point3& eye, const Point3& target = {0, 0, 0}) {
   ViewPoint view;
@@ -83,7 +83,7 @@ void add_tetrahedron(std::vector<Corners>& faces, const std::array<Point3, 4>& p
 }
 
 // Tetrahedra and triangles anywhere, through each other and across the window's border.
-Mesh general_mesh(lattice::Dice& dice) {
+CutMesh general_mesh(lattice::Dice& dice) {
   const auto point = [&dice] {
     const auto coordinate = [&dice] { return dice.between(-1'000'000, 1'000'000) / 3e5; };
     return Point3{coordinate(), coordinate(), coordinate()};
@@ -126,9 +126,9 @@ Mesh cube() {
   return tests::mesh_of(faces);
 }
 
-QuantitativeInvisibility invisibility(const Mesh& mesh, const Camera& camera, Sides sides) {
+QuantitativeInvisibility invisibility(const AnyMesh& mesh, const Camera& camera, Sides sides) {
   const ProjectedScene projected = project(mesh, camera, sides);
-  const FlatScene scene = flat_scene(mesh, projected);
+  const FlatScene scene = flat_scene(projected);
   return quantitative_invisibility(scene, scene_lines(scene));
 }
 
@@ -157,7 +157,7 @@ TEST_CASE("Appel: tetrahedra and triangles anywhere, through each other and acro
   for (std::uint64_t seed = 1; seed <= count; ++seed) {
     CAPTURE(seed);
     lattice::Dice dice(seed);
-    const Mesh mesh = general_mesh(dice);
+    const CutMesh mesh = general_mesh(dice);
     check_same(mesh, camera_at({0, 1, 6}), Sides::both, totals);
     check_same(mesh, orthographic_camera("above", view_from({5, 4, 3}), 5), Sides::front, totals);
   }
@@ -170,7 +170,7 @@ TEST_CASE("Appel: an eye inside the scene, so that many lines cross its plane") 
   for (std::uint64_t seed = 1; seed <= count; ++seed) {
     CAPTURE(seed);
     lattice::Dice dice(seed);
-    const Mesh mesh = general_mesh(dice);
+    const CutMesh mesh = general_mesh(dice);
     check_same(mesh, perspective_camera("inside", view_from({0.1, 0.2, 0.3}, {1, 0, 0}), 100), Sides::both, totals);
   }
   CHECK(totals.lines > 5 * count);
@@ -250,7 +250,7 @@ TEST_CASE("Appel refuses a camera whose near bound cuts the scene open") {
   view.near_distance = 9;
   const Camera camera = perspective_camera("near", view, 40);
   const ProjectedScene projected = project(mesh, camera, Sides::both);
-  CHECK_THROWS_AS((void)appel().run(flat_scene(mesh, projected), 0), RefusedScene);
+  CHECK_THROWS_AS((void)appel().run(flat_scene(projected), 0), RefusedScene);
 }
 
 }  // namespace sightline::tests::peer_lines_test

@@ -11,6 +11,7 @@
 #include "peers/painters/depth_sort.h"
 #include "peers/scene/polygon_split.h"
 #include "tests/peers/pixel_rays.h"
+#include "tests/tools/analyzed.h"
 #include "tests/tools/polygon_mesh.h"
 #include "tests/tools/random_surfaces.h"
 
@@ -43,10 +44,10 @@ struct Painters {
 // Rays need no facets cut along their common lines, and pieces' planes are not exactly their wholes'.
 Painters run_painters(const Mesh& mesh, const Camera& camera, Sides sides,
                       Splitting splitting = Splitting::where_needed) {
-  const ItemBuffer truth = seen_by_rays(mesh, project(mesh, camera, sides), resolution);
-  const Mesh pieces = lattice::cut(mesh);
+  const ItemBuffer truth = seen_by_rays(project(mesh, camera, sides), resolution);
+  const CutMesh pieces = lattice::cut(mesh);
   const ProjectedScene scene = project(pieces, camera, sides);
-  const FlatScene flat = flat_scene(pieces, scene);
+  const FlatScene flat = flat_scene(scene);
   const DepthSorted sorted = sort_by_depth(flat, splitting);
   const BspTree tree = make_bsp(flat.polygons);
   return {wrong_pixels(scene, paint(sorted.polygons, resolution).buffer, truth),
@@ -184,7 +185,7 @@ TEST_CASE("bars that lie over each other in a ring: without its split depth sort
 TEST_CASE("in a ring of eight no bar is across its neighbours' planes: the split has to look farther along the ring") {
   const Mesh bars = bars_in_a_ring(8);
   const ProjectedScene scene = project(bars, from_above(), Sides::both);
-  const std::vector<FlatPolygon> polygons = flat_scene(bars, scene).polygons;
+  const std::vector<FlatPolygon> polygons = flat_scene(scene).polygons;
   REQUIRE(polygons.size() == 8);
   for (std::size_t i = 0; i < 8; ++i) {
     const FlatPolygon& next = polygons[(i + 1) % 8];
@@ -196,10 +197,10 @@ TEST_CASE("in a ring of eight no bar is across its neighbours' planes: the split
 TEST_CASE("as peers they give an item buffer and say how much work it was") {
   const Mesh bars = bars_in_a_ring(8);
   const ProjectedScene scene = project(bars, from_above(), Sides::both);
-  const ItemBuffer truth = seen_by_rays(bars, scene, resolution);
+  const ItemBuffer truth = seen_by_rays(scene, resolution);
   for (const Peer& peer : {depth_sort(), bsp_tree()}) {
     CAPTURE(peer.name);
-    const Outcome outcome = peer.run(flat_scene(bars, scene), resolution);
+    const Outcome outcome = peer.run(flat_scene(scene), resolution);
     CHECK(wrong_pixels(scene, std::get<ItemBuffer>(outcome.seen), truth) == 0);
     for (const Count& count : outcome.counts) {
       CAPTURE(count.what);

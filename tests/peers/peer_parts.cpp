@@ -7,7 +7,7 @@
 
 #include "peers/scene/convex_ring.h"
 #include "peers/scene/ring_area.h"
-#include "sightline/analyze.h"
+#include "tests/tools/analyzed.h"
 
 namespace sightline::tests {
 
@@ -15,10 +15,10 @@ using peers::Count;
 using peers::VisiblePart;
 using peers::VisibleParts;
 
-PartsCase parts_case(const peers::Peer& peer, const Mesh& mesh, const Camera& camera, Sides sides) {
-  const View view = analyze(mesh, camera, sides);
-  const peers::Outcome outcome = peer.run(peers::flat_scene(mesh, view.scene), 0);
-  PartsCase result{std::get<VisibleParts>(outcome.seen), FaceAreas(mesh.face_count()), FaceAreas(mesh.face_count()),
+PartsCase parts_case(const peers::Peer& peer, const AnyMesh& mesh, const Camera& camera, Sides sides) {
+  const View view = analyzed(mesh, camera, sides);
+  const peers::Outcome outcome = peer.run(peers::flat_scene(view.scene), 0);
+  PartsCase result{std::get<VisibleParts>(outcome.seen), FaceAreas(mesh->face_count()), FaceAreas(mesh->face_count()),
                    outcome.counts};
   for (const VisiblePart& part : result.parts) result.seen[part.face.index()] += peers::signed_area(part.ring);
   for (const VisiblePolygon& polygon : view.polygons.polygons) result.exact[polygon.face.index()] += polygon.area;

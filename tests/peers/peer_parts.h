@@ -9,6 +9,7 @@
 #include "geometry/mesh/mesh.h"
 #include "geometry/projection/camera.h"
 #include "peers/scene/peer.h"
+#include "tests/tools/analyzed.h"
 
 namespace sightline::tests {
 
@@ -22,7 +23,7 @@ struct PartsCase {
   std::vector<peers::Count> counts;
 };
 
-[[nodiscard]] PartsCase parts_case(const peers::Peer& peer, const Mesh& mesh, const Camera& camera,
+[[nodiscard]] PartsCase parts_case(const peers::Peer& peer, const AnyMesh& mesh, const Camera& camera,
                                    Sides sides = Sides::both);
 
 // The largest difference between what is seen of a face and what the sweep says.

@@ -10,6 +10,7 @@
 #include "peers/pixels/z_buffer.h"
 #include "tests/peers/flat_polygons.h"
 #include "tests/peers/pixel_rays.h"
+#include "tests/tools/analyzed.h"
 
 namespace sightline::tests::peer_pixels_test {
 using namespace peers;
@@ -36,9 +37,9 @@ struct Tally {
 // Z-buffer and Warnock decide at the centres by the same rule as ray casting: they are equal also where an edge passes
 // through them.
 void compare(const lattice::RandomScene& random, int resolution, Tally& tally) {
-  const Mesh mesh = lattice::cut(lattice::mesh_of(random));
+  const CutMesh mesh = lattice::cut(lattice::mesh_of(random));
   const ProjectedScene scene = project(mesh, random.camera, random.sides);
-  const FlatScene flat = flat_scene(mesh, scene);
+  const FlatScene flat = flat_scene(scene);
   const ItemBuffer by_rays = seen_by(ray_casting(), flat, resolution);
   for (const Peer& peer : {z_buffer(), warnock()}) {
     const int differing = differing_pixels(seen_by(peer, flat, resolution), by_rays);

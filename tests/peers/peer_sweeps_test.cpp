@@ -10,6 +10,7 @@
 #include "peers/errors/part_errors.h"
 #include "peers/painters/sweep_peers.h"
 #include "sweep/engine.h"
+#include "tests/tools/analyzed.h"
 
 namespace sightline::tests::peer_sweeps_test {
 using namespace cli;
@@ -27,11 +28,11 @@ const Peer& peer_named(const std::vector<Peer>& all, std::string_view name) {
 }
 
 // The part of the window with the wrong face, against the exact sweep; none: it did not end.
-std::optional<double> wrong_share(const Peer& peer, const Mesh& mesh, const ProjectedScene& scene) {
-  const VisibleSegments segments = find_visible_segments(mesh, scene);
-  const ExactParts exact = exact_parts(scene, segments, reconstruct_polygons(mesh, scene, segments));
+std::optional<double> wrong_share(const Peer& peer, const ProjectedScene& scene) {
+  const VisibleSegments segments = find_visible_segments(scene);
+  const ExactParts exact = exact_parts(scene, segments, reconstruct_polygons(scene, segments));
   try {
-    return errors_of(std::get<VisibleParts>(peer.run(flat_scene(mesh, scene), 0).seen), exact).wrong_share;
+    return errors_of(std::get<VisibleParts>(peer.run(flat_scene(scene), 0).seen), exact).wrong_share;
   } catch (const ArithmeticError&) {
     return std::nullopt;
   }
@@ -50,11 +51,11 @@ TEST_CASE("sweep peers err where the stability runs say so, and by as much") {
       const StabilityScene made = family.make(value);
       REQUIRE(made.grid_bits == default_grid_bits);
       const MeshContacts contacts = find_contacts(made.mesh);
-      const Mesh mesh = cut_along_common_lines(Mesh(made.mesh), contacts);
+      const CutMesh mesh = cut_along_common_lines(Mesh(made.mesh), contacts);
       const ProjectedScene scene = project(mesh, made.camera, Sides::both);
-      CHECK(wrong_share(peer_named(peers, "sweep-exact"), mesh, scene).value() < 1e-12);
+      CHECK(wrong_share(peer_named(peers, "sweep-exact"), scene).value() < 1e-12);
       const StabilityRun run = run_stability(family, value, Arithmetic::single_precision);
-      const std::optional<double> in_float = wrong_share(peer_named(peers, "sweep-float"), mesh, scene);
+      const std::optional<double> in_float = wrong_share(peer_named(peers, "sweep-float"), scene);
       REQUIRE(in_float.has_value() == run.finished);
       if (!in_float) continue;
       // The oracle is not on the grid: each may be off by what the grid explains.

@@ -43,7 +43,8 @@ std::vector<ImagePoint> rays_through_centres(const ItemBuffer& buffer, int grid_
   return rays;
 }
 
-ItemBuffer seen_by_rays(const Mesh& mesh, const ProjectedScene& scene, int resolution) {
+ItemBuffer seen_by_rays(const ProjectedScene& scene, int resolution) {
+  const CutMesh& mesh = scene.mesh();
   ItemBuffer buffer(resolution);
   const std::vector<ImagePoint> rays = rays_through_centres(buffer, scene.grid_bits);
   std::vector<lattice::RayHits> hits = lattice::cast(scene, rays);
@@ -52,7 +53,7 @@ ItemBuffer seen_by_rays(const Mesh& mesh, const ProjectedScene& scene, int resol
     for (int column = 0; column < resolution; ++column, ++ray) {
       std::vector<FacetId>& facets = hits[ray].facets;
       if (facets.empty()) continue;
-      lattice::sort_by_depth(facets, mesh, scene, rays[ray]);
+      lattice::sort_by_depth(facets, scene.mesh(), scene, rays[ray]);
       buffer.paint(column, row, mesh.facet_face[facets.front().index()]);
     }
   }

@@ -15,7 +15,7 @@ namespace sightline::tests {
 // Row by row from the lowest one up, left to right; rounded to the grid where the resolution is no power of two.
 [[nodiscard]] std::vector<ImagePoint> rays_through_centres(const peers::ItemBuffer& buffer, int grid_bits);
 
-[[nodiscard]] peers::ItemBuffer seen_by_rays(const Mesh& mesh, const ProjectedScene& scene, int resolution);
+[[nodiscard]] peers::ItemBuffer seen_by_rays(const ProjectedScene& scene, int resolution);
 
 // How many centres an edge of a facet's image passes through exactly.
 [[nodiscard]] std::size_t centres_on_edges(const ProjectedScene& scene, int resolution);

@@ -8,6 +8,7 @@
 #include "peers/pixels/ray_casting.h"
 #include "tests/peers/flat_polygons.h"
 #include "tests/peers/pixel_rays.h"
+#include "tests/tools/analyzed.h"
 
 namespace sightline::tests::ray_casting_test {
 using namespace peers;
@@ -35,9 +36,9 @@ struct SeenTwice {
 };
 
 SeenTwice look_at(const lattice::RandomScene& random, int resolution) {
-  const Mesh mesh = lattice::cut(lattice::mesh_of(random));
-  const View view = analyze(mesh, random.camera, random.sides);
-  const Outcome outcome = ray_casting().run(flat_scene(mesh, view.scene), resolution);
+  const CutMesh mesh = lattice::cut(lattice::mesh_of(random));
+  const View view = analyzed(mesh, random.camera, random.sides);
+  const Outcome outcome = ray_casting().run(flat_scene(view.scene), resolution);
   return {std::get<ItemBuffer>(outcome.seen), seen_in_polygons(view, resolution), view.scene};
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "peers/scene/seen.h"
-#include "sightline/analyze.h"
+#include "tests/tools/analyzed.h"
 
 namespace sightline::tests {
 

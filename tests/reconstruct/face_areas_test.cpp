@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include "tests/tools/analyzed.h"
 #include "tests/tools/polygon_mesh.h"
 
 namespace sightline::tests::face_areas_test {
@@ -20,7 +21,7 @@ Messages messages_for(const Triangles& triangles, const Point3& fourth_vertex) {
   for (const auto& [a, b, c] : triangles)
     labelled.triangles.push_back(
         {{VertexId(a), VertexId(b), VertexId(c)}, FaceId(0), FacetId(0), Label::visible, true});
-  return validate(labelled, mesh, project(mesh, camera, Sides::both));
+  return validate(labelled, project(mesh, camera, Sides::both));
 }
 
 }  // namespace

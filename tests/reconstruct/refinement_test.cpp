@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "oracle/lattice/lattice.h"
-#include "sightline/analyze.h"
+#include "tests/tools/analyzed.h"
 #include "tests/tools/polygon_mesh.h"
 
 namespace sightline::tests::refinement_test {
@@ -63,7 +63,7 @@ std::vector<Point3> splits_of_common_edge(lattice::Dice& dice, bool exchange) {
   if (exchange) std::swap(faces[0], faces[1]);
   faces.push_back({near(-0.4, -3.6, 2), near(1, -3.6, 2), near(0.3, -2.2, 2)});
   const Mesh mesh = tests::mesh_of(faces);
-  const LabelledMesh labelled = analyze(mesh, slanting()).labelled;
+  const LabelledMesh labelled = analyzed(mesh, slanting()).labelled;
   std::vector<Point3> added(labelled.vertices.begin() + static_cast<std::ptrdiff_t>(mesh.vertices.size()),
                             labelled.vertices.end());
   std::erase_if(added, [&](const Point3& p) { return norm(cross(p - a, b - a)) > 1e-9; });
@@ -79,7 +79,7 @@ TEST_CASE("the pieces of a face are Delaunay in its plane, however slanted it is
   const Mesh mesh = tests::mesh_of({{{-4, -3, 0}, {4, -3, 0}, {5, 4, 0}, {-3, 5, 0}},
                                     {{-1, -1, 1}, {0.5, -1.2, 1.3}, {0.2, 0.4, 1.1}},
                                     {{1, 0, 1}, {2.2, 0.3, 1.2}, {1.4, 1, 1.4}}});
-  const std::vector<double> angles = opposite_angles(analyze(mesh, slanting()).labelled);
+  const std::vector<double> angles = opposite_angles(analyzed(mesh, slanting()).labelled);
   CHECK(angles.size() > 10);
   for (const double sum : angles) CHECK(sum <= std::numbers::pi + 1e-9);
 }

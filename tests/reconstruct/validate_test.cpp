@@ -15,6 +15,7 @@
 #include "reconstruct/polygons/surface_layout.h"
 #include "reconstruct/polygons/visible_polygons.h"
 #include "sweep/plain/sweep.h"
+#include "tests/tools/analyzed.h"
 
 namespace sightline::tests::validate_test {
 namespace {
@@ -45,8 +46,8 @@ Stages stages_of(Mesh mesh) {
   const Camera page = orthographic_camera("page", above, 16);
   Stages stages{std::move(mesh), {}, {}, {}};
   stages.scene = project(stages.mesh, page, Sides::both);
-  stages.segments = plain_sweep(stages.mesh, stages.scene);
-  stages.polygons = reconstruct_polygons(stages.mesh, stages.scene, stages.segments);
+  stages.segments = plain_sweep(stages.scene);
+  stages.polygons = reconstruct_polygons(stages.scene, stages.segments);
   return stages;
 }
 
@@ -101,7 +102,7 @@ TEST_CASE("the checkers are silent on right values") {
     CHECK(validate(stages.mesh) == Messages{});
     CHECK(validate(stages.scene) == Messages{});
     CHECK(validate(stages.segments, stages.scene) == Messages{});
-    CHECK(validate(stages.polygons, stages.mesh, stages.scene, stages.segments) == Messages{});
+    CHECK(validate(stages.polygons, stages.scene, stages.segments) == Messages{});
   }
   CHECK(fang().segments.segments.size() == 14);
   const Stages walls = wall();
@@ -306,7 +307,7 @@ TEST_CASE("validate reports what is broken in visible polygons") {
   for (const auto& [part, break_it] : broken_polygons) {
     Stages stages = wall();
     break_it(stages);
-    check_reported(validate(stages.polygons, stages.mesh, stages.scene, stages.segments), part);
+    check_reported(validate(stages.polygons, stages.scene, stages.segments), part);
   }
 }
 
@@ -323,7 +324,7 @@ TEST_CASE("validate finds a ring without area by exact arithmetic, and where it 
   stages.polygons.polygons = {{.face = FaceId(0), .facet = pentagon, .ring_count = 1}};
   stages.polygons.ring_begin = {0, 3};
   stages.polygons.ring_segments = {SegmentId(0), SegmentId(1), SegmentId(2)};
-  const Messages messages = validate(stages.polygons, stages.mesh, stages.scene, stages.segments);
+  const Messages messages = validate(stages.polygons, stages.scene, stages.segments);
   check_reported(messages, "ring 0 of polygon 0 is not counter-clockwise");
   check_reported(messages, "ring 0 folds back from segment 0 to segment 1");
   check_reported(messages, "ring 0 folds back from segment 2 to segment 0");
@@ -364,7 +365,7 @@ struct Split {
 };
 
 // The triangles of a facet with further points on its border: a fan around the first of these.
-void add_facet(LabelledMesh& labelled, const Mesh& mesh, FacetId facet, const std::vector<Split>& splits) {
+void add_facet(LabelledMesh& labelled, const CutMesh& mesh, FacetId facet, const std::vector<Split>& splits) {
   const auto corners = mesh.corners(facet);
   std::vector<VertexId> border;
   std::size_t centre = 0;
@@ -388,7 +389,7 @@ void add_facet(LabelledMesh& labelled, const Mesh& mesh, FacetId facet, const st
   }
 }
 
-LabelledMesh refined(const Mesh& mesh, const std::vector<Split>& splits) {
+LabelledMesh refined(const CutMesh& mesh, const std::vector<Split>& splits) {
   LabelledMesh labelled;
   labelled.vertices = mesh.vertices;
   for (const Split& split : splits) labelled.vertices.push_back(split.position);
@@ -397,33 +398,34 @@ LabelledMesh refined(const Mesh& mesh, const std::vector<Split>& splits) {
 }
 
 // A tetrahedron, and a face that is none.
-Mesh tetrahedron() {
-  return mesh_of({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 1, 1}});
+CutMesh tetrahedron() {
+  return uncrossed(
+      mesh_of({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 1, 1}}));
 }
 const std::vector<Split> tetrahedron_splits{{VertexId(0), VertexId(1), {1, 0, 0}},
                                             {VertexId(1), VertexId(2), {2, 2, 0}}};
 
 // Seen from a side that shows no triangle edge-on.
-Messages validated(const LabelledMesh& labelled, const Mesh& mesh) {
+Messages validated(const LabelledMesh& labelled, const AnyMesh& mesh) {
   const Camera camera = orthographic_camera("any", {{3, 5, 9}, {0, 0, 0}, {0, 1, 0}, 1, {}, {}}, 30);
-  return validate(labelled, mesh, project(mesh, camera, Sides::both));
+  return validate(labelled, project(mesh, camera, Sides::both));
 }
 
 TEST_CASE("the checker of labelled meshes is silent on right values") {
-  const Mesh closed = tetrahedron();
+  const CutMesh closed = tetrahedron();
   CHECK(validated(refined(closed, {}), closed) == Messages{});
   CHECK(validated(refined(closed, tetrahedron_splits), closed) == Messages{});
   // Three faces on one edge, in no common orientation; the ends of the third are vertices of its own.
-  const Mesh fan = mesh_of({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}, {0, -4, 1}, {0, 0, 0}, {4, 0, 0}},
-                           {{0, 1, 2}, {0, 1, 3}, {5, 6, 4}});
+  const AnyMesh fan = mesh_of({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}, {0, -4, 1}, {0, 0, 0}, {4, 0, 0}},
+                              {{0, 1, 2}, {0, 1, 3}, {5, 6, 4}});
   CHECK(validated(refined(fan, {{VertexId(0), VertexId(1), {1, 0, 0}}}), fan) == Messages{});
   // A face of two facets that is not planar, split on the edge between them.
-  const Mesh warped = mesh_of({{0, 0, 0}, {4, 0, 0}, {4, 4, 2}, {0, 4, 0}}, {{0, 1, 2, 3}});
-  REQUIRE(warped.facet_count() == 2);
+  const AnyMesh warped = mesh_of({{0, 0, 0}, {4, 0, 0}, {4, 4, 2}, {0, 4, 0}}, {{0, 1, 2, 3}});
+  REQUIRE(warped->facet_count() == 2);
   const auto inner =
-      std::ranges::find_if(warped.edges, [&](const auto& ends) { return ends[1].value - ends[0].value == 2; });
-  REQUIRE(inner != warped.edges.end());
-  const Point3 middle = 0.5 * (warped.position((*inner)[0]) + warped.position((*inner)[1]));
+      std::ranges::find_if(warped->edges, [&](const auto& ends) { return ends[1].value - ends[0].value == 2; });
+  REQUIRE(inner != warped->edges.end());
+  const Point3 middle = 0.5 * (warped->position((*inner)[0]) + warped->position((*inner)[1]));
   CHECK(validated(refined(warped, {{(*inner)[0], (*inner)[1], middle}}), warped) == Messages{});
   // Coordinates whose squares are beyond the range of double.
   for (const double scale : {0x1p-1000, 0x1p+1000}) {
@@ -431,24 +433,24 @@ TEST_CASE("the checker of labelled meshes is silent on right values") {
     for (Split& split : splits) split.position = scale * split.position;
     std::vector<Point3> vertices = closed.vertices;
     for (Point3& p : vertices) p = scale * p;
-    const Mesh scaled = build_mesh(vertices, closed.faces);
+    const AnyMesh scaled = build_mesh(vertices, closed.faces);
     CHECK(validated(refined(scaled, splits), scaled) == Messages{});
   }
 }
 
 TEST_CASE("borders that touch themselves conform") {
   // Two triangles of one face that share a corner: two ways lead on from there.
-  const Mesh bow = mesh_of({{0, 0, 0}, {4, 0, 0}, {2, 2, 0}, {4, 4, 0}, {0, 4, 0}}, {{0, 1, 2, 3, 4, 2}});
-  REQUIRE(bow.facet_count() == 2);
+  const AnyMesh bow = mesh_of({{0, 0, 0}, {4, 0, 0}, {2, 2, 0}, {4, 4, 0}, {0, 4, 0}}, {{0, 1, 2, 3, 4, 2}});
+  REQUIRE(bow->facet_count() == 2);
   CHECK(validated(refined(bow, {{VertexId(2), VertexId(3), {3, 3, 0}}, {VertexId(1), VertexId(2), {3, 1, 0}}}), bow) ==
         Messages{});
   // A frame around a hole, with a slit from 0 to 6 that has one more corner, 8, on the way back.
-  const Mesh frame =
+  const AnyMesh frame =
       mesh_of({{0, 0, 0}, {6, 0, 0}, {6, 6, 0}, {0, 6, 0}, {4, 2, 0}, {4, 4, 0}, {2, 2, 0}, {2, 4, 0}, {1, 1, 0}},
               {{0, 1, 2, 3, 0, 6, 7, 5, 4, 6, 8}});
-  REQUIRE(frame.facet_count() > 1);
-  CHECK(std::ranges::count(frame.edges, std::array{VertexId(0), VertexId(6)}) == 0);
-  CHECK(std::ranges::count(frame.edges, std::array{VertexId(0), VertexId(8)}) == 1);
+  REQUIRE(frame->facet_count() > 1);
+  CHECK(std::ranges::count(frame->edges, std::array{VertexId(0), VertexId(6)}) == 0);
+  CHECK(std::ranges::count(frame->edges, std::array{VertexId(0), VertexId(8)}) == 1);
   CHECK(validated(refined(frame, {}), frame) == Messages{});
   CHECK(validated(refined(frame, {{VertexId(0), VertexId(8), {0.5, 0.5, 0}}}), frame) == Messages{});
 }
@@ -476,7 +478,7 @@ const std::vector<Breakage<LabelledMesh>> broken_labelled{
 };
 
 TEST_CASE("validate reports what is broken in a labelled mesh") {
-  const Mesh mesh = tetrahedron();
+  const CutMesh mesh = tetrahedron();
   for (const auto& [part, break_it] : broken_labelled) {
     LabelledMesh labelled = refined(mesh, tetrahedron_splits);
     break_it(labelled);
@@ -485,18 +487,18 @@ TEST_CASE("validate reports what is broken in a labelled mesh") {
 }
 
 TEST_CASE("validate reports a surface that is not the one of the plane, and one out of its place") {
-  const Mesh warped = mesh_of({{0, 0, 0}, {4, 0, 0}, {4, 4, 2}, {0, 4, 0}}, {{0, 1, 2, 3}});
+  const AnyMesh warped = mesh_of({{0, 0, 0}, {4, 0, 0}, {4, 4, 2}, {0, 4, 0}}, {{0, 1, 2, 3}});
   LabelledMesh swapped = refined(warped, {});
   std::swap(swapped.triangles[0], swapped.triangles[1]);
   CHECK(validated(swapped, warped) == Messages{"triangle 1 is not listed with its surface"});
-  const Mesh bow = mesh_of({{0, 0, 0}, {4, 0, 0}, {2, 2, 0}, {4, 4, 0}, {0, 4, 0}}, {{0, 1, 2, 3, 4, 2}});
+  const AnyMesh bow = mesh_of({{0, 0, 0}, {4, 0, 0}, {2, 2, 0}, {4, 4, 0}, {0, 4, 0}}, {{0, 1, 2, 3, 4, 2}});
   LabelledMesh by_facet = refined(bow, {});
   by_facet.triangles[1].surface = FacetId(1);
   CHECK(validated(by_facet, bow) == Messages{"triangle 1 is on no surface of its face"});
 }
 
 TEST_CASE("validate reports an edge that is split for one of its faces only") {
-  const Mesh mesh = tetrahedron();
+  const CutMesh mesh = tetrahedron();
   for (std::size_t whole = 0; whole < mesh.facet_count(); ++whole) {
     LabelledMesh labelled;
     labelled.vertices = refined(mesh, tetrahedron_splits).vertices;
@@ -511,7 +513,7 @@ TEST_CASE("validate reports an edge that is split for one of its faces only") {
 }
 
 TEST_CASE("validate reports a border that is missing") {
-  const Mesh mesh = mesh_of({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}, {{0, 1, 2}});
+  const AnyMesh mesh = mesh_of({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}, {{0, 1, 2}});
   LabelledMesh labelled = refined(mesh, {});
   labelled.triangles.clear();
   const Messages messages = validated(labelled, mesh);

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "geometry/mesh/area.h"
+#include "tests/tools/analyzed.h"
 
 namespace sightline::tests {
 namespace {
@@ -53,16 +54,16 @@ double area(const LabelledMesh& labelled, const LabelledTriangle& triangle) {
   return triangle_area(corner(0), corner(1), corner(2));
 }
 
-MirrorOutcome reflected(const Mesh& mesh, const std::vector<Panel>& panels, const Camera& camera,
+MirrorOutcome reflected(const AnyMesh& mesh, const std::vector<Panel>& panels, const Camera& camera,
                         const ReflectionOptions& options, const std::vector<Vector3>& normals) {
-  const MirrorWorld world = make_mirror_world(mesh, panels, options, normals);
-  MirrorOutcome outcome{analyze(world, camera), {}};
+  const MirrorWorld world = mirror_world(mesh, panels, options, normals);
+  MirrorOutcome outcome{analyzed(world, camera), {}};
   const View& view = outcome.view;
-  CHECK(lattice::joined(lattice::complaints_of_stages(mesh, view)) == "");
+  CHECK(lattice::joined(lattice::complaints_of_stages(view)) == "");
   REQUIRE(view.reflections.panels.size() == panels.size());
   for (std::size_t p = 0; p < panels.size(); ++p) {
     const PanelReflection& panel = view.reflections.panels[p];
-    CHECK(validate(panel.polygons, mesh, view.scene, panel.segments) == std::vector<std::string>{});
+    CHECK(validate(panel.polygons, view.scene, panel.segments) == std::vector<std::string>{});
     outcome.areas.push_back(area_on_surface(view.labelled, p));
   }
   return outcome;

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "oracle/judging/judge.h"
-#include "sightline/analyze.h"
+#include "tests/tools/analyzed.h"
 #include "tests/tools/polygon_mesh.h"
 
 namespace sightline::tests {
@@ -32,7 +32,7 @@ struct MirrorOutcome {
 [[nodiscard]] double area(const LabelledMesh& labelled, const LabelledTriangle& triangle);
 
 // Checks what every view must hold.
-[[nodiscard]] MirrorOutcome reflected(const Mesh& mesh, const std::vector<Panel>& panels, const Camera& camera,
+[[nodiscard]] MirrorOutcome reflected(const AnyMesh& mesh, const std::vector<Panel>& panels, const Camera& camera,
                                       const ReflectionOptions& options = {}, const std::vector<Vector3>& normals = {});
 
 }  // namespace sightline::tests

@@ -6,8 +6,8 @@
 
 #include "oracle/judging/judge.h"
 #include "oracle/judging/mirror_rays.h"
-#include "sightline/analyze.h"
 #include "tests/reflect/reflecting_region.h"
+#include "tests/tools/analyzed.h"
 
 namespace sightline::tests::mirror_rays_test {
 using namespace lattice;
@@ -115,7 +115,7 @@ Panel small_panel(const Point3& place, const Vector3& direction) {
 }
 
 // Whether a camera on the panel, looking at the middle of the triangle, sees there the place where the first eye was.
-bool sees_back(const Mesh& mesh, const MirrorScene& scene, const LabelledMesh& labelled, const LabelledTriangle& t,
+bool sees_back(const AnyMesh& mesh, const MirrorScene& scene, const LabelledMesh& labelled, const LabelledTriangle& t,
                std::size_t panel) {
   const auto corner = [&](std::size_t i) { return labelled.vertices[t.corners[i].index()]; };
   const Point3 middle = (1.0 / 3) * (corner(0) + corner(1) + corner(2));
@@ -123,7 +123,7 @@ bool sees_back(const Mesh& mesh, const MirrorScene& scene, const LabelledMesh& l
   const Point3 place = place_on_panel(scene.camera.origin, middle, normal, scene.panels[panel]);
   const ViewPoint view{place, middle, {0.3, 0.2, 1}, 1, {}, {}};
   const Panel eye = small_panel(scene.camera.origin, middle - scene.camera.origin);
-  const View back = analyze(make_mirror_world(mesh, {eye}), perspective_camera("back", view, 20));
+  const View back = analyzed(mirror_world(mesh, {eye}), perspective_camera("back", view, 20));
   return ReflectingRegion(back, 0).winding({0, 0}).value_or(0) > 0;
 }
 
@@ -136,8 +136,8 @@ TEST_CASE(
   for (std::uint64_t seed = 101; seed < 101 + scenes; ++seed) {
     CAPTURE(seed);
     const MirrorScene scene = random_mirror_scene(seed);
-    const Mesh mesh = cut(scene.mesh);
-    const View view = analyze(make_mirror_world(mesh, scene.panels), scene.camera);
+    const CutMesh mesh = cut(scene.mesh);
+    const View view = analyzed(mirror_world(mesh, scene.panels), scene.camera);
     for (const LabelledTriangle& t : view.labelled.triangles) {
       for (std::size_t p = 0; p < 2; ++p) {
         const auto corner = [&](std::size_t i) { return view.labelled.vertices[t.corners[i].index()]; };
@@ -162,10 +162,10 @@ TEST_CASE("a million rays per scene meet the panels where the exact reflection s
   for (std::uint64_t seed = first_seed; seed < first_seed + scenes; ++seed) {
     CAPTURE(seed);
     const MirrorScene scene = random_mirror_scene(seed);
-    const Mesh mesh = cut(scene.mesh);
-    const MirrorWorld world = make_mirror_world(mesh, scene.panels);
-    const View view = analyze(world, scene.camera);
-    CHECK(joined(complaints_of_stages(mesh, view)) == "");
+    const CutMesh mesh = cut(scene.mesh);
+    const MirrorWorld world = mirror_world(mesh, scene.panels);
+    const View view = analyzed(world, scene.camera);
+    CHECK(joined(complaints_of_stages(view)) == "");
     const Tally tally = compare(scene, view, rays, seed);
     CHECK(tally.wrong == 0);
     CHECK(tally.near_border * 10000 <= tally.rays);

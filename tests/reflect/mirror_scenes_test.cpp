@@ -4,7 +4,7 @@
 #include <random>
 
 #include "oracle/judging/judge.h"
-#include "sightline/analyze.h"
+#include "tests/tools/analyzed.h"
 
 namespace sightline::tests::mirror_scenes_test {
 using namespace lattice;
@@ -24,7 +24,7 @@ class SmallGrid {
   std::mt19937_64 random_;
 };
 
-Mesh random_surface(SmallGrid& grid) {
+CutMesh random_surface(SmallGrid& grid) {
   std::vector<Point3> vertices;
   PolygonList faces;
   for (int i = 2 + grid.below(7); i > 0; --i) {
@@ -75,11 +75,11 @@ Rational image_area(const View& view, std::size_t panel) {
   return sum;
 }
 
-Complaints complaints_of_reflections(const Mesh& mesh, const View& view) {
-  Complaints complaints = complaints_of_stages(mesh, view);
+Complaints complaints_of_reflections(const View& view) {
+  Complaints complaints = complaints_of_stages(view);
   for (std::size_t p = 0; p < view.reflections.panels.size(); ++p) {
     const PanelReflection& panel = view.reflections.panels[p];
-    for (const std::string& line : validate(panel.polygons, mesh, view.scene, panel.segments))
+    for (const std::string& line : validate(panel.polygons, view.scene, panel.segments))
       complaints.push_back("panel " + std::to_string(p) + ": " + line);
     const auto reflects = [p](const LabelledTriangle& t) { return (t.reflecting >> p & 1U) != 0; };
     const auto& triangles = view.labelled.triangles;
@@ -100,13 +100,13 @@ struct Counts {
 
 void check_scene(std::uint64_t seed, Counts& counts) {
   SmallGrid grid(seed);
-  const Mesh mesh = random_surface(grid);
+  const CutMesh mesh = random_surface(grid);
   std::vector<Panel> panels = random_panels(grid);
   const Camera camera = random_camera(grid);
-  const View view = analyze(make_mirror_world(mesh, panels), camera);
-  CHECK(joined(complaints_of_reflections(mesh, view)) == "");
+  const View view = analyzed(mirror_world(mesh, panels), camera);
+  CHECK(joined(complaints_of_reflections(view)) == "");
   std::ranges::reverse(panels);
-  const View other_order = analyze(make_mirror_world(mesh, panels), camera);
+  const View other_order = analyzed(mirror_world(mesh, panels), camera);
   for (std::size_t p = 0; p < panels.size(); ++p) {
     counts.reflecting += any_above_resolution(view.reflections.panels[p].polygons) ? 1 : 0;
     CHECK(image_area(view, p) == image_area(other_order, panels.size() - 1 - p));

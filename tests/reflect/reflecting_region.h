@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "sightline/analyze.h"
+#include "tests/tools/analyzed.h"
 
 namespace sightline::tests {
 

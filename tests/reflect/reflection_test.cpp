@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tests/reflect/mirror_outcome.h"
+#include "tests/tools/analyzed.h"
 
 namespace sightline::tests::reflection_test {
 namespace {
@@ -216,7 +217,7 @@ TEST_CASE("panels that are no polygons are refused with their names") {
   };
   for (const Wrong& panel : wrong) {
     CAPTURE(panel.cause);
-    const auto make = [&] { return make_mirror_world(mesh, {{"lamp", panel.corners, Emits::both}}); };
+    const auto make = [&] { return mirror_world(mesh, {{"lamp", panel.corners, Emits::both}}); };
     CHECK_THROWS_WITH_AS((void)make(), doctest::Contains("panel \"lamp\": "), PanelError);
     CHECK_THROWS_WITH_AS((void)make(), doctest::Contains(panel.cause), PanelError);
   }

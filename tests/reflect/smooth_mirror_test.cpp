@@ -146,7 +146,7 @@ TEST_CASE("a bent mirror that is flat reflects what a flat one does") {
       {floor_mirror}, {floor_mirror, halved}, {floor_mirror, wall}, {floor_mirror, strip}};
   for (const std::vector<Corners>& surface : surfaces) {
     CAPTURE(surface.size());
-    const Mesh mesh = lattice::cut(mesh_of(surface));
+    const CutMesh mesh = lattice::cut(mesh_of(surface));
     const std::vector<Panel> panels{
         {"overhead", overhead, Emits::both}, {"upright", upright, Emits::front}, {"angle", angle, Emits::both}};
     const MirrorOutcome exact = reflected(mesh, panels, looking_down(mirror_eye));

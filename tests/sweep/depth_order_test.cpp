@@ -7,6 +7,7 @@
 #include <doctest/doctest.h>
 
 #include "geometry/cutting/common_lines.h"
+#include "tests/tools/analyzed.h"
 #include "tests/tools/polygon_mesh.h"
 
 namespace sightline::tests::depth_order_test {
@@ -44,7 +45,7 @@ double distance_along(const Vector3& direction, const Corners& polygon) {
 TEST_CASE("depth: the nearer of parallel faces, whichever way they are asked; ties go to the lower face") {
   const Mesh mesh = tests::mesh_of({square_at(0), square_at(1), square_at(0.5), square_at(std::nextafter(1.0, 2.0))});
   const ProjectedScene scene = project(mesh, from_above(4), Sides::both);
-  DepthOrder depth(mesh, scene);
+  DepthOrder depth(scene);
   const std::vector<FacetId> front_to_back{FacetId(3), FacetId(1), FacetId(2), FacetId(0)};
   for (std::size_t i = 0; i < 4; ++i) {
     for (std::size_t j = i + 1; j < 4; ++j) {
@@ -59,7 +60,7 @@ TEST_CASE("depth: faces that straddle each other's planes without meeting have a
   const Mesh mesh =
       tests::mesh_of({{{-4, -0.5, 3}, {4, 0, -1}, {-4, 0.5, 3}}, {{-0.5, -4, -3}, {0.5, -4, -3}, {0, 4, 2}}});
   const ProjectedScene scene = project(mesh, from_above(16), Sides::both);
-  DepthOrder depth(mesh, scene);
+  DepthOrder depth(scene);
   CHECK(depth.nearer(FacetId(0), FacetId(1)));
   CHECK_FALSE(depth.nearer(FacetId(1), FacetId(0)));
 }
@@ -71,7 +72,7 @@ TEST_CASE("depth: faces that straddle each other's planes and show no common pla
   for (const bool left_first : {true, false}) {
     const Mesh mesh = tests::mesh_of(left_first ? std::vector{left, right} : std::vector{right, left});
     const ProjectedScene scene = project(mesh, from_above(4), Sides::both);
-    DepthOrder depth(mesh, scene);
+    DepthOrder depth(scene);
     CHECK(depth.nearer(FacetId(0), FacetId(1)));
     CHECK_FALSE(depth.nearer(FacetId(1), FacetId(0)));
   }
@@ -93,7 +94,7 @@ TEST_CASE("depth: of large faces around the eye, as rays have it") {
     const Mesh mesh = tests::mesh_of({first, second});
     if (mesh.facet_count() != 2 || !find_contacts(mesh).crossing.empty()) continue;
     const ProjectedScene scene = project(mesh, camera, Sides::both);
-    DepthOrder depth(mesh, scene);
+    DepthOrder depth(scene);
     ++compared;
     CAPTURE(pair);
     CHECK(depth.nearer(FacetId(0), FacetId(1)) == (of_first < of_second));
@@ -117,7 +118,7 @@ TEST_CASE("depth: of faces that reach around the eye, edges that cross behind it
     REQUIRE(mesh.facet_count() == 2);
     REQUIRE(find_contacts(mesh).crossing.empty());
     const ProjectedScene scene = project(mesh, at_origin(direction), Sides::both);
-    DepthOrder depth(mesh, scene);
+    DepthOrder depth(scene);
     CHECK(depth.nearer(FacetId(0), FacetId(1)) == near_first);
   }
 }
@@ -125,10 +126,10 @@ TEST_CASE("depth: of faces that reach around the eye, edges that cross behind it
 TEST_CASE("depth: pieces of faces that pass through each other are in front on one side each") {
   const Mesh whole =
       tests::mesh_of({{{-1, -1, -0.3}, {1, -1, 0.4}, {0, 1, 0}}, {{-1, 1, 0.3}, {1, 1, -0.4}, {0, -1, 0.1}}});
-  const Mesh mesh = cut_along_common_lines(whole, find_contacts(whole));
+  const CutMesh mesh = cut_along_common_lines(whole, find_contacts(whole));
   REQUIRE(mesh.facet_count() == 4);
   const ProjectedScene scene = project(mesh, from_above(4), Sides::both);
-  DepthOrder depth(mesh, scene);
+  DepthOrder depth(scene);
   int first_in_front = 0;
   for (const FacetId f : {FacetId(0), FacetId(1)}) {
     for (const FacetId g : {FacetId(2), FacetId(3)}) {

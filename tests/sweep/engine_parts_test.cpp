@@ -12,6 +12,7 @@
 #include "sweep/fast/large_covers.h"
 #include "sweep/fast/roles.h"
 #include "sweep/plain/depth_ranges.h"
+#include "tests/tools/analyzed.h"
 
 namespace sightline::tests::engine_parts_test {
 namespace {
@@ -59,7 +60,7 @@ Mesh sheets(const std::vector<Sheet>& all) {
   return mesh_of(std::move(vertices), faces);
 }
 
-ProjectedScene seen_from_above(const Mesh& mesh, int grid_bits = default_grid_bits) {
+ProjectedScene seen_from_above(const AnyMesh& mesh, int grid_bits = default_grid_bits) {
   ViewPoint view;
   view.eye = {0, 0, 1};
   view.target = {0, 0, 0};
@@ -73,18 +74,20 @@ struct Found {
   FacetCells cells;
   Covers covers;
 
-  Found(const Mesh& mesh, const ProjectedScene& scene)
+  Found(const ProjectedScene& scene)
       : continuation(scene),
         grid(scene.grid_bits, 5),
-        cells(scene, continuation, grid, none(mesh)),
-        covers(find_covers(mesh, scene, depth_ranges(mesh, scene), continuation, grid, cells, none(mesh))) {}
+        cells(scene, continuation, grid, none(scene.mesh())),
+        covers(find_covers(scene, depth_ranges(scene), continuation, grid, cells, none(scene.mesh()))) {}
 
-  [[nodiscard]] std::vector<Role> roles(const Mesh& mesh, const ProjectedScene& scene) const {
-    return find_roles(mesh, scene, continuation, covers, grid, cells);
+  [[nodiscard]] std::vector<Role> roles(const ProjectedScene& scene) const {
+    return find_roles(scene, continuation, covers, grid, cells);
   }
 
  private:
-  static std::vector<std::uint8_t> none(const Mesh& mesh) { return std::vector<std::uint8_t>(mesh.facet_count(), 0); }
+  static std::vector<std::uint8_t> none(const AnyMesh& mesh) {
+    return std::vector<std::uint8_t>(mesh->facet_count(), 0);
+  }
 };
 
 std::size_t count_of(const std::vector<std::uint8_t>& flags) {
@@ -180,7 +183,7 @@ TEST_CASE("continuation: where edges of two sheets fall on each other, neither c
 TEST_CASE("large covers: what lies behind one large facet is hidden, what looks out is not") {
   const Mesh mesh = sheets({{1, 0.8, 1}, {2, 0.5, 8}, {3, 0.9, 8}});
   const ProjectedScene scene = seen_from_above(mesh);
-  const auto hidden = hidden_behind_large_facets(scene, depth_ranges(mesh, scene));
+  const auto hidden = hidden_behind_large_facets(scene, depth_ranges(scene));
   // Along the diagonal of the first sheet no single facet covers the cells.
   const auto of_sheet = [&](std::size_t begin, std::size_t end) {
     return count_of(
@@ -196,8 +199,8 @@ TEST_CASE("large covers: what lies behind one large facet is hidden, what looks 
 TEST_CASE("covers: sheets behind a sheet are hidden, whatever their borders are, and what looks out is not") {
   const Mesh mesh = sheets({{1, 0.8137, 16}, {2, 0.4871, 7}, {3, 0.9, 9}});
   const ProjectedScene scene = seen_from_above(mesh);
-  const std::vector<std::uint8_t> hidden = Found(mesh, scene).covers.hidden;
-  const VisibleSegments full = plain_sweep(mesh, scene);
+  const std::vector<std::uint8_t> hidden = Found(scene).covers.hidden;
+  const VisibleSegments full = plain_sweep(scene);
   for (const VisibleSegment& s : full.segments) CHECK(hidden[s.facet.index()] == 0);
   CHECK(count_of({hidden.begin(), hidden.begin() + 512}) == 0);
   CHECK(count_of({hidden.begin() + 512, hidden.begin() + 512 + 98}) == 98);
@@ -211,16 +214,16 @@ TEST_CASE("covers: sheets without a depth between them hide by their order") {
   for (Point3& p : vertices) p.z += p.x;
   const Mesh tilted = build_mesh(std::move(vertices), level.faces);
   const ProjectedScene scene = seen_from_above(tilted);
-  const std::vector<std::uint8_t> hidden = Found(tilted, scene).covers.hidden;
+  const std::vector<std::uint8_t> hidden = Found(scene).covers.hidden;
   CHECK(count_of({hidden.begin(), hidden.begin() + 512}) == 0);
   CHECK(count_of({hidden.begin() + 512, hidden.end()}) > 450 / 2);
-  for (const VisibleSegment& s : plain_sweep(tilted, scene).segments) CHECK(hidden[s.facet.index()] == 0);
+  for (const VisibleSegment& s : plain_sweep(scene).segments) CHECK(hidden[s.facet.index()] == 0);
 }
 
 TEST_CASE("roles: the inside of a sheet is plain, its border is open") {
   const Mesh mesh = sheets({{1, 0.8, 16}});
   const ProjectedScene scene = seen_from_above(mesh);
-  const std::vector<Role> roles = Found(mesh, scene).roles(mesh, scene);
+  const std::vector<Role> roles = Found(scene).roles(scene);
   const auto plain = std::ranges::count(roles, Role::plain);
   CHECK(plain > 256);
   CHECK(plain < 512 - 64);
@@ -230,10 +233,10 @@ TEST_CASE("roles: the inside of a sheet is plain, its border is open") {
 TEST_CASE("roles: beside a hidden facet of the sheet none is plain") {
   const Mesh mesh = sheets({{1, 0.8, 16}});
   const ProjectedScene scene = seen_from_above(mesh);
-  Found found(mesh, scene);
+  Found found(scene);
   const FacetId hidden(256 + 16);
   found.covers.hidden[hidden.index()] = 1;
-  const std::vector<Role> roles = found.roles(mesh, scene);
+  const std::vector<Role> roles = found.roles(scene);
   CHECK(roles[hidden.index()] == Role::hidden);
   std::size_t beside = 0;
   for (const EdgeId e : found.continuation.edges_of(scene, hidden)) {
@@ -264,7 +267,7 @@ TEST_CASE("engines: a facet between two sheets whose borders fall on each other"
   const Continuation continuation(scene);
   for (std::size_t e = 0; e < scene.edge_count(); ++e) CHECK(continuation.is_contour(EdgeId(e)));
   for (const int level : {1, 2, 3, 4}) {
-    const auto segments = fast_visible_segments(mesh, scene, {level, 1}).segments;
+    const auto segments = fast_visible_segments(scene, {level, 1}).segments;
     CHECK(std::ranges::count(segments, FacetId(2), &VisibleSegment::facet) == 4);
   }
 }
@@ -281,8 +284,7 @@ TEST_CASE("continuation: a sliver that rounding makes a line has contour edges, 
   CHECK(scene.edge_count() == 8);
   CHECK(contours == 7);
   for (const int level : {0, 3, 6}) {
-    for (const VisibleSegment& s : fast_visible_segments(mesh, scene, {level, 1}).segments)
-      CHECK(s.facet != FacetId(0));
+    for (const VisibleSegment& s : fast_visible_segments(scene, {level, 1}).segments) CHECK(s.facet != FacetId(0));
   }
 }
 
@@ -304,10 +306,10 @@ TEST_CASE("scene parts: a crossing of the part may be a vertex of the whole") {
   const std::array<FacetId, 2> kept{FacetId(0), FacetId(1)};
   const ScenePart part = part_of(whole, Continuation(whole), kept);
   CHECK(part.point.size() == 8);
-  const VisibleSegments of_part = plain_sweep(mesh, part.scene);
+  const VisibleSegments of_part = plain_sweep(part.scene);
   CHECK(of_part.crossings.size() == 2);
   const VisibleSegments found = in_whole(whole, part, of_part);
-  const VisibleSegments expected = plain_sweep(mesh, whole);
+  const VisibleSegments expected = plain_sweep(whole);
   CHECK(found.crossings.size() == 1);
   CHECK(expected.crossings.size() == 1);
   const auto ends = [](const VisibleSegments& segments) {
@@ -321,10 +323,10 @@ TEST_CASE("scene parts: a crossing of the part may be a vertex of the whole") {
 TEST_CASE("engines: in double, everything is swept") {
   const Mesh mesh = sheets({{1, 0.8, 16}, {2, 0.5, 7}});
   ProjectedScene scene = seen_from_above(mesh);
-  const std::uint64_t all = plain_sweep(mesh, scene).statistics.sweep_points;
-  CHECK(fast_visible_segments(mesh, scene, {5, 1}).statistics.sweep_points < all);
+  const std::uint64_t all = plain_sweep(scene).statistics.sweep_points;
+  CHECK(fast_visible_segments(scene, {5, 1}).statistics.sweep_points < all);
   scene.arithmetic = Arithmetic::double_precision;
-  CHECK(fast_visible_segments(mesh, scene, {5, 1}).statistics.sweep_points == all);
+  CHECK(fast_visible_segments(scene, {5, 1}).statistics.sweep_points == all);
 }
 
 }  // namespace sightline::tests::engine_parts_test

@@ -10,6 +10,7 @@
 #include "oracle/judging/judge.h"
 #include "oracle/scenes/crossing_scenes.h"
 #include "oracle/scenes/random_scenes.h"
+#include "tests/tools/analyzed.h"
 #include "tests/tools/polygon_mesh.h"
 #include "tests/tools/random_surfaces.h"
 
@@ -25,23 +26,23 @@ FastOptions options_of(std::uint64_t seed) {
 
 void report(const RandomScene& scene, const FastOptions& options) {
   const auto differs = [&options](const RandomScene& s) {
-    const Mesh mesh = cut(mesh_of(s));
+    const CutMesh mesh = cut(mesh_of(s));
     EngineTally tally;
-    return !engine_differences(mesh, project(mesh, s.camera, s.sides), {options}, tally).empty();
+    return !engine_differences(project(mesh, s.camera, s.sides), {options}, tally).empty();
   };
   const RandomScene small = reduced(scene, differs);
-  const Mesh mesh = cut(mesh_of(small));
+  const CutMesh mesh = cut(mesh_of(small));
   EngineTally tally;
-  FAIL_CHECK(engine_differences(mesh, project(mesh, small.camera, small.sides), {options}, tally), to_text(small));
+  FAIL_CHECK(engine_differences(project(mesh, small.camera, small.sides), {options}, tally), to_text(small));
 }
 
 void check_random_scenes(RandomScene (*scene_of)(std::uint64_t), std::uint64_t scenes, EngineTally& tally) {
   int failures = 0;
   for (std::uint64_t seed = 1; seed <= scenes && failures < 3; ++seed) {
     const RandomScene scene = scene_of(seed);
-    const Mesh mesh = cut(mesh_of(scene));
+    const CutMesh mesh = cut(mesh_of(scene));
     const FastOptions options = options_of(seed);
-    if (engine_differences(mesh, project(mesh, scene.camera, scene.sides), {options}, tally).empty()) continue;
+    if (engine_differences(project(mesh, scene.camera, scene.sides), {options}, tally).empty()) continue;
     ++failures;
     report(scene, options);
   }
@@ -75,9 +76,9 @@ TEST_CASE("engines: random surfaces") {
   for (std::uint64_t seed = 1; seed <= scene_count(1000); ++seed) {
     CAPTURE(seed);
     const tests::RandomSurfaces surfaces = tests::random_surfaces(seed);
-    const Mesh mesh = cut(surfaces.mesh);
+    const CutMesh mesh = cut(surfaces.mesh);
     const ProjectedScene scene = project(mesh, surfaces.camera, Sides::both);
-    CHECK(engine_differences(mesh, scene, {options_of(seed)}, tally) == "");
+    CHECK(engine_differences(scene, {options_of(seed)}, tally) == "");
   }
   MESSAGE(tally.swept << " of " << tally.points << " sweep points swept");
   CHECK(5 * tally.swept < 4 * tally.points);
@@ -85,11 +86,11 @@ TEST_CASE("engines: random surfaces") {
 
 // A band across two walls is cut along common lines; one of its pieces is hidden, and what is seen of another ends on its edge.
 TEST_CASE("engines: an edge is split for a hidden piece of a face, too") {
-  const Mesh mesh = cut(tests::mesh_of({{{0, 5, -1}, {-2, 5, -3}, {-3, 3, 6}},
-                                        {{4, 3, 16}, {20, 3, -4}, {-6, 6, -14}, {-22, 6, 6}},
-                                        {{4, 3, 18}, {-18, 3, 10}, {-6, 6, -16}, {16, 6, -8}},
-                                        {{4, 6, 18}, {-18, 6, 10}, {-6, 3, -16}, {16, 3, -8}},
-                                        {{-7, 3, 2}, {-2, 3, -3}, {-3, 6, 6}}}));
+  const CutMesh mesh = cut(tests::mesh_of({{{0, 5, -1}, {-2, 5, -3}, {-3, 3, 6}},
+                                           {{4, 3, 16}, {20, 3, -4}, {-6, 6, -14}, {-22, 6, 6}},
+                                           {{4, 3, 18}, {-18, 3, 10}, {-6, 6, -16}, {16, 6, -8}},
+                                           {{4, 6, 18}, {-18, 6, 10}, {-6, 3, -16}, {16, 3, -8}},
+                                           {{-7, 3, 2}, {-2, 3, -3}, {-3, 6, 6}}}));
   ViewPoint view;
   view.eye = {-2, -10, 1};
   view.target = {-2, 3, 1};
@@ -97,7 +98,7 @@ TEST_CASE("engines: an edge is split for a hidden piece of a face, too") {
   EngineTally tally;
   for (const double height : {16, 4096}) {
     const ProjectedScene scene = project(mesh, orthographic_camera("along y", view, height), Sides::both);
-    CHECK(engine_differences(mesh, scene, {{0, 1}, {1, 7}, {9, 1}, {10, 1}, {11, 1}}, tally) == "");
+    CHECK(engine_differences(scene, {{0, 1}, {1, 7}, {9, 1}, {10, 1}, {11, 1}}, tally) == "");
   }
 }
 
@@ -117,7 +118,7 @@ TEST_CASE("engines: a face whose hidden end is covered far from the end that is 
                                     {{-1, -6, 3}, {9.5, -6, 3}, {9.5, 0, 3}, {-1, 0, 3}}});
   const ProjectedScene scene = seen_from_above(mesh, 0, 0);
   EngineTally tally;
-  CHECK(engine_differences(mesh, scene, {{3, 1}, {5, 7}, {6, 64}}, tally) == "");
+  CHECK(engine_differences(scene, {{3, 1}, {5, 7}, {6, 64}}, tally) == "");
 }
 
 TEST_CASE("engines: in the middle of a sheet of squares, three of them are one face") {
@@ -133,7 +134,7 @@ TEST_CASE("engines: in the middle of a sheet of squares, three of them are one f
   REQUIRE(mesh.facet_count() > mesh.face_count());
   const ProjectedScene scene = seen_from_above(mesh, 8, 8);
   EngineTally tally;
-  CHECK(engine_differences(mesh, scene, {{4, 1}, {5, 1}, {6, 7}}, tally) == "");
+  CHECK(engine_differences(scene, {{4, 1}, {5, 1}, {6, 7}}, tally) == "");
   CHECK(tally.swept < tally.points);
 }
 
@@ -144,10 +145,10 @@ TEST_CASE("engines: faces that pass through each other, not cut along their comm
     CAPTURE(seed);
     const RandomScene crossing = crossing_scene(seed);
     const Mesh few = mesh_of(crossing);
-    CHECK(engine_differences(few, project(few, crossing.camera, crossing.sides), {options_of(seed)}, tally) == "");
+    CHECK(engine_differences(project(few, crossing.camera, crossing.sides), {options_of(seed)}, tally) == "");
     const tests::RandomSurfaces surfaces = tests::random_surfaces(seed);
     const ProjectedScene scene = project(surfaces.mesh, surfaces.camera, Sides::both);
-    CHECK(engine_differences(surfaces.mesh, scene, {options_of(seed)}, tally) == "");
+    CHECK(engine_differences(scene, {options_of(seed)}, tally) == "");
   }
   CHECK(4 * tally.swept < 3 * tally.points);
 }
@@ -174,7 +175,7 @@ TEST_CASE("engines: more points than a thread takes in a row") {
   const ProjectedScene scene = project(mesh, perspective_camera("along the sheet", view, 60), Sides::both);
   REQUIRE(scene.points.size() > items_per_range);
   EngineTally tally;
-  CHECK(engine_differences(mesh, scene, {{7, 1}, {7, 7}}, tally) == "");
+  CHECK(engine_differences(scene, {{7, 1}, {7, 7}}, tally) == "");
   CHECK(2 * tally.swept < tally.points);
 }
 
@@ -185,11 +186,11 @@ TEST_CASE("engines: surfaces that overlap only because their image is rounded") 
   for (std::uint64_t seed = 1; seed <= scenes; ++seed) {
     CAPTURE(seed);
     const tests::RandomSurfaces surfaces = tests::crowded_surfaces(seed);
-    const Mesh mesh = cut(surfaces.mesh);
+    const CutMesh mesh = cut(surfaces.mesh);
     const Precision precision{Arithmetic::exact, 8 + static_cast<int>(seed % 5)};
     const ProjectedScene scene = project(mesh, surfaces.camera, Sides::both, precision);
-    CHECK(engine_differences(mesh, scene, {options_of(seed)}, tally) == "");
-    without_order += plain_sweep(mesh, scene).statistics.depth_is_transitive ? 0 : 1;
+    CHECK(engine_differences(scene, {options_of(seed)}, tally) == "");
+    without_order += plain_sweep(scene).statistics.depth_is_transitive ? 0 : 1;
   }
   MESSAGE(tally.swept << " of " << tally.points << " sweep points swept; no order of depth somewhere in "
                       << without_order << " of " << scenes << " scenes");

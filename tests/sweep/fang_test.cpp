@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "oracle/judging/judge.h"
-#include "sightline/analyze.h"
 #include "sweep/segments/crossing_point.h"
+#include "tests/tools/analyzed.h"
 
 namespace sightline::tests::fang_test {
 namespace {
@@ -74,8 +74,9 @@ Camera camera() {
   return result;
 }
 
-class Recorder : public SweepObserver {
+class Recorder : public AnalysisHook, public SweepObserver {
  public:
+  [[nodiscard]] SweepObserver* sweep_observer() override { return this; }
   void at(const SweepPoint& point) override { visited.emplace_back(point.x, point.y); }
   std::vector<std::pair<double, double>> visited;
 };
@@ -154,7 +155,8 @@ TEST_CASE("worked example: projection keeps the eight points and eight edges") {
 
 TEST_CASE("worked example: the sweep points come in the source's order") {
   Recorder recorder;
-  const View view = analyze(worked_example(), camera(), Sides::both, &recorder);
+  const Analyzer analyzer(uncrossed(worked_example()), {.sides = SidesPolicy::both, .hook = &recorder});
+  const View view = analyzer.view(camera());
   const std::string order = "OEFADGCPHIBQ";
   REQUIRE(recorder.visited.size() == order.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
@@ -169,7 +171,7 @@ TEST_CASE("worked example: the sweep points come in the source's order") {
 }
 
 TEST_CASE("worked example: the fourteen visible segments of table 5.4") {
-  const View view = analyze(worked_example(), camera());
+  const View view = analyzed(worked_example(), camera());
   CHECK(validate(view.segments, view.scene).empty());
   std::vector<std::string> names;
   for (const VisibleSegment& s : view.segments.segments) {
@@ -187,8 +189,8 @@ TEST_CASE("worked example: the fourteen visible segments of table 5.4") {
 
 TEST_CASE("worked example: visible polygons ABCDE, OFDCIQ and PHG with their exact areas") {
   const Mesh mesh = worked_example();
-  const View view = analyze(mesh, camera());
-  CHECK(validate(view.polygons, mesh, view.scene, view.segments).empty());
+  const View view = analyzed(mesh, camera());
+  CHECK(validate(view.polygons, view.scene, view.segments).empty());
   REQUIRE(view.polygons.polygons.size() == 3);
   REQUIRE(view.polygons.ring_count() == 3);
   const std::array<std::string, 3> given{"ABCDE", "OFDCIQ", "PHG"};
@@ -203,8 +205,8 @@ TEST_CASE("worked example: visible polygons ABCDE, OFDCIQ and PHG with their exa
 
 TEST_CASE("worked example: the labelled mesh splits the triangle along the pentagon and nothing else") {
   const Mesh mesh = worked_example();
-  const View view = analyze(mesh, camera());
-  CHECK(validate(view.labelled, mesh, view.scene).empty());
+  const View view = analyzed(mesh, camera());
+  CHECK(validate(view.labelled, view.scene).empty());
   std::array<double, 2> visible{};
   std::array<double, 2> hidden{};
   for (const LabelledTriangle& t : view.labelled.triangles) {

@@ -4,6 +4,7 @@
 
 #include "oracle/judging/labelled_laws.h"
 #include "oracle/judging/scene_changes.h"
+#include "tests/tools/analyzed.h"
 
 namespace sightline::tests::laws_test {
 using namespace lattice;
@@ -34,23 +35,23 @@ void check_on_random_scenes(Law law) {
 }
 
 // Everything up to the polygons.
-View view_of(const Mesh& mesh, const Camera& camera, Sides sides) {
+View view_of(const AnyMesh& mesh, const Camera& camera, Sides sides) {
   View view;
   view.scene = project(mesh, camera, sides);
-  view.segments = plain_sweep(mesh, view.scene);
-  view.polygons = reconstruct_polygons(mesh, view.scene, view.segments);
+  view.segments = plain_sweep(view.scene);
+  view.polygons = reconstruct_polygons(view.scene, view.segments);
   return view;
 }
 
-Outcome seen_from(const Mesh& mesh, const Camera& camera, Sides sides) {
-  return outcome(mesh, view_of(mesh, camera, sides));
+Outcome seen_from(const AnyMesh& mesh, const Camera& camera, Sides sides) {
+  return outcome(view_of(mesh, camera, sides));
 }
 
 }  // namespace
 
 TEST_CASE("law: the order of the faces does not matter where no two overlap in one plane") {
   std::uint64_t tried = 0;
-  check_on_random_scenes([&](const RandomScene& scene, const Mesh& mesh) {
+  check_on_random_scenes([&](const RandomScene& scene, const AnyMesh& mesh) {
     if (scene.notes.coplanar_overlap) return Complaints{};
     ++tried;
     Dice dice(scene.seed);
@@ -64,7 +65,7 @@ TEST_CASE("law: the order of the faces does not matter where no two overlap in o
 }
 
 TEST_CASE("law: the corner a face begins with does not matter") {
-  check_on_random_scenes([](const RandomScene& scene, const Mesh& mesh) {
+  check_on_random_scenes([](const RandomScene& scene, const AnyMesh& mesh) {
     Dice dice(scene.seed);
     return differences(seen_from(mesh, scene.camera, scene.sides),
                        seen_from(with_corners_rotated(mesh, dice), scene.camera, scene.sides));
@@ -72,28 +73,28 @@ TEST_CASE("law: the corner a face begins with does not matter") {
 }
 
 TEST_CASE("law: the mirrored scene seen by the mirrored camera shows the same") {
-  check_on_random_scenes([](const RandomScene& scene, const Mesh& mesh) {
+  check_on_random_scenes([](const RandomScene& scene, const AnyMesh& mesh) {
     return differences(seen_from(mesh, scene.camera, scene.sides),
                        seen_from(mirrored(mesh), mirrored(scene.camera), scene.sides));
   });
 }
 
 TEST_CASE("law: a camera turned about its view direction sees the same") {
-  check_on_random_scenes([](const RandomScene& scene, const Mesh& mesh) {
+  check_on_random_scenes([](const RandomScene& scene, const AnyMesh& mesh) {
     return differences(seen_from(mesh, scene.camera, scene.sides), seen_from(mesh, rolled(scene.camera), scene.sides));
   });
 }
 
 TEST_CASE("law: two runs give the same, bit for bit") {
-  check_on_random_scenes([](const RandomScene& scene, const Mesh& mesh) {
-    const bool same = identical(analyze(mesh, scene.camera, scene.sides), analyze(mesh, scene.camera, scene.sides));
+  check_on_random_scenes([](const RandomScene& scene, const AnyMesh& mesh) {
+    const bool same = identical(analyzed(mesh, scene.camera, scene.sides), analyzed(mesh, scene.camera, scene.sides));
     return same ? Complaints{} : Complaints{"two runs differ"};
   });
 }
 
 TEST_CASE("law: the labelled surface keeps vertices and areas") {
-  check_on_random_scenes([](const RandomScene& scene, const Mesh& mesh) {
-    const LabelledMesh labelled = analyze(mesh, scene.camera, scene.sides).labelled;
+  check_on_random_scenes([](const RandomScene& scene, const AnyMesh& mesh) {
+    const LabelledMesh labelled = analyzed(mesh, scene.camera, scene.sides).labelled;
     Complaints complaints = input_vertices_kept(mesh, labelled);
     for (const std::string& line : areas_kept(mesh, labelled)) complaints.push_back(line);
     return complaints;
@@ -104,8 +105,8 @@ TEST_CASE("law: what is labelled as seen covers what the visible polygons cover"
   // Corners are doubles: off by 2^-48 for coordinates below 2^5, a few times that in the image where nothing is nearer
   // than 1/8 to the eye's plane; the outlines of a dozen pieces are shorter than 2^8.
   constexpr double tolerance = 0x1p-32;
-  check_on_random_scenes([&](const RandomScene& scene, const Mesh& mesh) {
-    return seen_areas_agree(mesh, analyze(mesh, scene.camera, scene.sides), tolerance);
+  check_on_random_scenes([&](const RandomScene& scene, const AnyMesh& mesh) {
+    return seen_areas_agree(analyzed(mesh, scene.camera, scene.sides), tolerance);
   });
 }
 
@@ -132,12 +133,12 @@ TEST_CASE("law: closed surfaces stay closed, three cubes before each other") {
     from.eye = {dice.between(-5, 5) + 0.3, dice.between(-5, 5) + 0.1, 9};
     from.target = {0.5, 0.5, 2};
     const Sides sides = seed % 2 == 0 ? Sides::both : Sides::front;
-    const View view = analyze(mesh, perspective_camera("random", from, 30), sides);
-    CHECK(joined(complaints_of_stages(mesh, view)) == "");
+    const View view = analyzed(mesh, perspective_camera("random", from, 30), sides);
+    CHECK(joined(complaints_of_stages(view)) == "");
     CHECK(is_closed(view.labelled));
     CHECK(joined(areas_kept(mesh, view.labelled)) == "");
     CHECK(joined(input_vertices_kept(mesh, view.labelled)) == "");
-    CHECK(joined(seen_areas_agree(mesh, view, 0x1p-36)) == "");
+    CHECK(joined(seen_areas_agree(view, 0x1p-36)) == "");
   }
 }
 

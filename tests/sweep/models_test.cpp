@@ -6,6 +6,7 @@
 #include "oracle/judging/labelled_laws.h"
 #include "oracle/judging/ray_caster.h"
 #include "oracle/judging/scene_changes.h"
+#include "tests/tools/analyzed.h"
 #include "tests/tools/model_shots.h"
 
 namespace sightline::tests::models_test {
@@ -19,7 +20,7 @@ struct RayTally {
   Complaints complaints;
 };
 
-FacetId before_cut(const Mesh& mesh, FacetId f) {
+FacetId before_cut(const CutMesh& mesh, FacetId f) {
   return mesh.is_cut() ? FacetId(mesh.cuts.whole_of[f.index()].index()) : f;
 }
 
@@ -31,7 +32,8 @@ std::vector<FaceId> shown(const View& view, const std::vector<std::size_t>& poly
 }
 
 // whole: the mesh before it was cut to what was viewed.
-RayTally compare_rays(const Mesh& whole, const Mesh& mesh, const View& view) {
+RayTally compare_rays(const Mesh& whole, const View& view) {
+  const CutMesh& mesh = view.scene.mesh();
   const auto rays = fixed_rays(view.scene.grid_bits, 1000);
   auto hits = cast(view.scene, rays);
   const auto polygons = polygons_around(view, rays);
@@ -61,8 +63,8 @@ std::string some(Complaints complaints) {
   return joined(complaints);
 }
 
-void check_stages_and_laws(const Mesh& whole, const Mesh& mesh, const View& view, bool closed) {
-  CHECK(some(complaints_of_stages(mesh, view)) == "");
+void check_stages_and_laws(const Mesh& whole, const View& view, bool closed) {
+  CHECK(some(complaints_of_stages(view)) == "");
   CHECK(some(input_vertices_kept(whole, view.labelled)) == "");
   CHECK(some(areas_kept(whole, view.labelled)) == "");
   if (closed) CHECK(is_closed(view.labelled));
@@ -74,14 +76,14 @@ TEST_CASE("models: stages, laws and ray casting from three cameras") {
   if (models().empty()) MESSAGE("no models in " << models_folder().string());
   for (const std::filesystem::path& file : models()) {
     const Mesh whole = read_obj(file).mesh;
-    const Mesh mesh = cut(whole);
+    const CutMesh mesh = cut(whole);
     const bool closed = is_closed(whole);
     for (const Shot& shot : shots(whole)) {
       INFO(file.filename().string(), " ", shot.camera.name);
       View view;
-      REQUIRE_NOTHROW(view = analyze(mesh, shot.camera, shot.sides));
-      check_stages_and_laws(whole, mesh, view, closed);
-      const RayTally tally = compare_rays(whole, mesh, view);
+      REQUIRE_NOTHROW(view = analyzed(mesh, shot.camera, shot.sides));
+      check_stages_and_laws(whole, view, closed);
+      const RayTally tally = compare_rays(whole, view);
       CHECK(some(tally.complaints) == "");
       CHECK(tally.on_edge <= 10);
       CHECK(tally.seen >= 50);
@@ -92,9 +94,9 @@ TEST_CASE("models: stages, laws and ray casting from three cameras") {
 }
 
 // The outcome with the faces in another order, put back into the old one.
-Outcome shuffled_outcome(const Mesh& mesh, const Shot& shot, Dice& dice) {
+Outcome shuffled_outcome(const PolygonMesh& mesh, const Shot& shot, Dice& dice) {
   const Shuffled shuffled = with_faces_shuffled(mesh, dice);
-  const Outcome after = outcome(shuffled.mesh, analyze(shuffled.mesh, shot.camera, shot.sides));
+  const Outcome after = outcome(analyzed(shuffled.mesh, shot.camera, shot.sides));
   Outcome put_back = after;
   for (std::size_t i = 0; i < shuffled.order.size(); ++i) put_back.areas[shuffled.order[i]] = after.areas[i];
   return put_back;
@@ -105,21 +107,21 @@ TEST_CASE("models: two runs, order and handedness change nothing") {
   Dice dice(seed);
   for (const std::filesystem::path& file : models()) {
     const Mesh whole = read_obj(file).mesh;
-    const Mesh mesh = cut(whole);
+    const CutMesh mesh = cut(whole);
     const Shot shot = shots(whole).front();
     INFO(file.filename().string(), " seed ", seed);
-    const View view = analyze(mesh, shot.camera, shot.sides);
-    CHECK(identical(view, analyze(mesh, shot.camera, shot.sides)));
+    const View view = analyzed(mesh, shot.camera, shot.sides);
+    CHECK(identical(view, analyzed(mesh, shot.camera, shot.sides)));
     // Of faces that overlap in one plane the lower index is in front. Where a facet is cut beyond a common line depends on
     // the coordinates, so mirroring changes roundings.
     const MeshContacts contacts = find_contacts(whole);
     if (!contacts.crossing.empty()) continue;
-    const Outcome before = outcome(mesh, view);
+    const Outcome before = outcome(view);
     if (contacts.touching.empty()) CHECK(some(differences(before, shuffled_outcome(mesh, shot, dice))) == "");
     const Mesh turned = with_corners_rotated(mesh, dice);
-    CHECK(some(differences(before, outcome(turned, analyze(turned, shot.camera, shot.sides)))) == "");
+    CHECK(some(differences(before, outcome(analyzed(turned, shot.camera, shot.sides)))) == "");
     const Mesh mirror = mirrored(mesh);
-    CHECK(some(differences(before, outcome(mirror, analyze(mirror, mirrored(shot.camera), shot.sides)))) == "");
+    CHECK(some(differences(before, outcome(analyzed(mirror, mirrored(shot.camera), shot.sides)))) == "");
   }
 }
 
@@ -129,12 +131,12 @@ TEST_CASE("models: where back-facing faces may be culled, culling changes nothin
     const Mesh mesh = read_obj(file).mesh;
     const MeshContacts contacts = find_contacts(mesh);
     for (const Shot& shot : shots(mesh)) {
-      if (decide_sides(mesh, contacts, shot.camera, SidesPolicy::automatic).sides == Sides::both) continue;
+      if (decide_sides(uncrossed(mesh), contacts, shot.camera, SidesPolicy::automatic).sides == Sides::both) continue;
       ++culled;
       INFO(file.filename().string(), " ", shot.camera.name);
-      const View front = analyze(mesh, shot.camera, Sides::front);
-      const View both = analyze(mesh, shot.camera, Sides::both);
-      CHECK(visible_areas(mesh, front) == visible_areas(mesh, both));
+      const View front = analyzed(mesh, shot.camera, Sides::front);
+      const View both = analyzed(mesh, shot.camera, Sides::both);
+      CHECK(visible_areas(front) == visible_areas(both));
     }
   }
   CHECK((culled > 0 || models().empty()));

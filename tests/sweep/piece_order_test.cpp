@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "geometry/cutting/common_lines.h"
+#include "tests/tools/analyzed.h"
 #include "tests/tools/polygon_mesh.h"
 
 namespace sightline::tests::piece_order_test {
@@ -25,18 +26,18 @@ const std::vector<Corners> leaning_cutters{{{-3.5, -1.5, -1}, {-2.5, -0.5, -1}, 
 const std::vector<Corners> upright_cutters{{{-2, -1.25, -1}, {-2, -0.75, -1}, {-2, -1, 1}},
                                            {{2, -1.25, 1}, {2, -0.75, 1}, {2, -1, -1}}};
 
-Mesh cut_mesh(std::vector<Corners> triangles, const std::vector<Corners>& cutters) {
+CutMesh cut_mesh(std::vector<Corners> triangles, const std::vector<Corners>& cutters) {
   triangles.insert(triangles.end(), cutters.begin(), cutters.end());
   const Mesh whole = tests::mesh_of(triangles);
   return cut_along_common_lines(whole, find_contacts(whole));
 }
 
-bool has_corner_at(const Mesh& mesh, FacetId f, const Point3& p) {
+bool has_corner_at(const CutMesh& mesh, FacetId f, const Point3& p) {
   return std::ranges::any_of(mesh.corners(f), [&](VertexId v) { return mesh.position(v) == p; });
 }
 
 // The piece with this corner; both of the planes part space at y = 0, and it must be on either side.
-FacetId straddling_piece_at(const Mesh& mesh, const Point3& p) {
+FacetId straddling_piece_at(const CutMesh& mesh, const Point3& p) {
   for (std::size_t f = 0; f < mesh.facet_count(); ++f) {
     if (!has_corner_at(mesh, FacetId(f), p)) continue;
     const auto corners = mesh.corners(FacetId(f));
@@ -57,7 +58,7 @@ Camera level_at(double z) { return orthographic_camera("level", from_height(z), 
 TEST_CASE(
     "pieces that straddle each other's planes: the upper tip is before the lower one, from above and from below") {
   for (const bool rising_first : {true, false}) {
-    const Mesh mesh =
+    const CutMesh mesh =
         cut_mesh(rising_first ? std::vector{rising, falling} : std::vector{falling, rising}, leaning_cutters);
     const FacetId upper = straddling_piece_at(mesh, {0, 6, 3});
     const FacetId lower = straddling_piece_at(mesh, {0, 6, -3});
@@ -68,7 +69,7 @@ TEST_CASE(
         CAPTURE(z);
         CAPTURE(camera.name);
         const ProjectedScene scene = project(mesh, camera, Sides::both);
-        PieceOrder order(mesh, scene);
+        PieceOrder order(scene);
         REQUIRE(order.applies_to(WholeId(0), WholeId(1)));
         CHECK(order.lower_is_nearer(std::min(upper, lower), std::max(upper, lower)) == (rising_first == (z > 0)));
       }
@@ -78,7 +79,7 @@ TEST_CASE(
 
 TEST_CASE("pieces that straddle each other's planes and overlap nowhere: the lower index is in front") {
   for (const bool rising_first : {true, false}) {
-    const Mesh mesh =
+    const CutMesh mesh =
         cut_mesh(rising_first ? std::vector{rising, falling} : std::vector{falling, rising}, upright_cutters);
     const FacetId left = straddling_piece_at(mesh, {-4, -2, -1});
     const FacetId right = straddling_piece_at(mesh, {4, -2, 1});
@@ -87,7 +88,7 @@ TEST_CASE("pieces that straddle each other's planes and overlap nowhere: the low
       CAPTURE(rising_first);
       CAPTURE(camera.name);
       const ProjectedScene scene = project(mesh, camera, Sides::both);
-      PieceOrder order(mesh, scene);
+      PieceOrder order(scene);
       CHECK(order.lower_is_nearer(std::min(left, right), std::max(left, right)));
     }
   }

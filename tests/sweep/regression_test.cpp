@@ -8,6 +8,7 @@
 
 #include "oracle/judging/judge.h"
 #include "oracle/truth/truth.h"
+#include "tests/tools/analyzed.h"
 
 namespace sightline::tests::regression_test {
 using lattice::RandomScene;
@@ -105,7 +106,7 @@ TEST_CASE("a hole in a hole, each with a face in it, is threaded to the right ri
   }
   check(scene);
   const Mesh mesh = lattice::mesh_of(scene);
-  const View view = analyze(mesh, scene.camera);
+  const View view = analyzed(mesh, scene.camera);
   REQUIRE(view.polygons.polygons.size() == 6);
   for (std::size_t p = 0; p < 6; ++p) CHECK(view.polygons.polygons[p].ring_count == (p < 5 ? 2 : 1));
 }
@@ -126,7 +127,7 @@ TEST_CASE("many holes in one face, some touching: each belongs to it, and the ar
     }
   }
   check(scene);
-  const View view = analyze(lattice::mesh_of(scene), scene.camera);
+  const View view = analyzed(lattice::mesh_of(scene), scene.camera);
   CHECK(view.polygons.polygons.front().ring_count == 50);
 }
 
@@ -158,10 +159,10 @@ TEST_CASE("a notch narrower than the grid turns a concave face's border over: no
     REQUIRE(mesh.facet_count() > 2);
     const ViewPoint view{{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, 1, {}, {}};
     View result;
-    REQUIRE_NOTHROW(result = analyze(mesh, orthographic_camera("above", view, 2)));
+    REQUIRE_NOTHROW(result = analyzed(mesh, orthographic_camera("above", view, 2)));
     CHECK(validate(result.segments, result.scene).empty());
-    CHECK(validate(result.polygons, mesh, result.scene, result.segments).empty());
-    CHECK(validate(result.labelled, mesh, result.scene).empty());
+    CHECK(validate(result.polygons, result.scene, result.segments).empty());
+    CHECK(validate(result.labelled, result.scene).empty());
     const auto seen = [](const LabelledTriangle& t) { return t.face == FaceId(0) && t.label == Label::visible; };
     CHECK(std::any_of(result.labelled.triangles.begin(), result.labelled.triangles.end(), seen));
   }
@@ -176,15 +177,16 @@ TEST_CASE("faces that pass through each other, cut or not: nothing is thrown, al
   for (int i = 0; i < 150; ++i) {
     CAPTURE(i);
     const Mesh whole = random_soup(random, 4 + i % 40, i % 2 == 0 ? 3 : 1000);
-    const Mesh pieces = lattice::cut(whole);
+    const CutMesh pieces = lattice::cut(whole);
     crossing += pieces.cuts.crossing.size();
     const double fov = i % 3 == 0 ? 10 : 60;
-    for (const Mesh& mesh : {whole, pieces}) {
-      const View result = analyze(mesh, perspective_camera("soup", view, fov), i % 5 == 0 ? Sides::front : Sides::both);
-      const auto complaints = lattice::complaints_of_stages(mesh, result);
+    for (const CutMesh& mesh : {uncrossed(whole), pieces}) {
+      const View result =
+          analyzed(mesh, perspective_camera("soup", view, fov), i % 5 == 0 ? Sides::front : Sides::both);
+      const auto complaints = lattice::complaints_of_stages(result);
       CHECK_MESSAGE(complaints.empty(), lattice::joined(complaints));
       Rational covered = 0;
-      for (const Rational& area : lattice::visible_areas(mesh, result)) covered += area;
+      for (const Rational& area : lattice::visible_areas(result)) covered += area;
       CHECK(covered <= lattice::window_area(default_grid_bits));
     }
   }
@@ -216,8 +218,8 @@ TEST_CASE("a facet that is over a span in the rounded image only leaves no wrong
                                  {-1.886, -1.884, 2.482}},
                                 std::move(faces));
   const Camera camera = perspective_camera("far", {{4, -1, 12}, {0, 0, 0}, {0, 1, 0}, 1, {}, {}}, 20);
-  const Mesh mesh = lattice::cut(whole);
-  const View view = analyze(mesh, camera);
+  const CutMesh mesh = lattice::cut(whole);
+  const View view = analyzed(mesh, camera);
   const oracle::Truth truth = oracle::true_visibility(whole, camera, Sides::both);
   std::vector<double> areas(whole.face_count());
   for (const VisiblePolygon& polygon : view.polygons.polygons) areas[polygon.face.index()] += polygon.area;
@@ -239,11 +241,11 @@ TEST_CASE("a slit with corners on the way back only has them on both ways") {
                  std::move(faces));
   const Camera camera = perspective_camera("across", {{3, 2, 4}, {0, 0, 0}, {0, 1, 0}, 1, {}, {}}, 50);
   View view;
-  REQUIRE_NOTHROW(view = analyze(mesh, camera));
+  REQUIRE_NOTHROW(view = analyzed(mesh, camera));
   CHECK(validate(mesh).empty());
   CHECK(validate(view.segments, view.scene).empty());
-  CHECK(validate(view.polygons, mesh, view.scene, view.segments).empty());
-  CHECK(validate(view.labelled, mesh, view.scene).empty());
+  CHECK(validate(view.polygons, view.scene, view.segments).empty());
+  CHECK(validate(view.labelled, view.scene).empty());
   CHECK(view.polygons.polygons.size() == 1);
 }
 

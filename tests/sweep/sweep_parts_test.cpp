@@ -10,6 +10,7 @@
 #include "sweep/plain/node_list.h"
 #include "sweep/plain/sweep.h"
 #include "sweep/segments/crossing_point.h"
+#include "tests/tools/analyzed.h"
 #include "tests/tools/polygon_mesh.h"
 
 namespace sightline::tests::sweep_parts_test {
@@ -161,7 +162,7 @@ TEST_CASE("a crossing counts once, however often its edges become neighbours") {
   const Camera camera = orthographic_camera("above", {{0, 0, 10}, {0, 0, 0}, {0, 1, 0}, 1, {}, {}}, 16);
   for (const std::vector<tests::Corners>& surface : {bars, parted}) {
     const Mesh mesh = tests::mesh_of(surface);
-    const VisibleSegments segments = plain_sweep(mesh, project(mesh, camera, Sides::both));
+    const VisibleSegments segments = plain_sweep(project(mesh, camera, Sides::both));
     CHECK(segments.statistics.crossings == 4);
   }
 }
@@ -169,7 +170,7 @@ TEST_CASE("a crossing counts once, however often its edges become neighbours") {
 TEST_CASE("node lists: the same contents and the same topmost facet whatever the way") {
   const Mesh mesh = stack({0, 1, 2});
   const ProjectedScene scene = project(mesh, from_above(), Sides::both);
-  DepthOrder depth(mesh, scene);
+  DepthOrder depth(scene);
   const auto enter = [](std::size_t f) { return EdgeSide{FacetId(f), 1, MeshEdgeId{}}; };
   const auto leave = [](std::size_t f) { return EdgeSide{FacetId(f), -1, MeshEdgeId{}}; };
   NodeList list;
@@ -213,13 +214,13 @@ TEST_CASE("a facet that is smaller than the grid is a sweep point without edges,
   const ProjectedScene point = project(alone, from_above(), Sides::both, coarse);
   REQUIRE(point.points.size() == 1);
   REQUIRE(point.edge_count() == 0);
-  const VisibleSegments nothing = plain_sweep(alone, point);
+  const VisibleSegments nothing = plain_sweep(point);
   CHECK(nothing.statistics.sweep_points == 1);
   CHECK(nothing.segments.empty());
   const Mesh both = tests::mesh_of({speck, below});
   const ProjectedScene scene = project(both, from_above(), Sides::both, coarse);
   REQUIRE(scene.points.size() == 4);
-  const VisibleSegments segments = plain_sweep(both, scene);
+  const VisibleSegments segments = plain_sweep(scene);
   CHECK(segments.statistics.sweep_points == 4);
   CHECK(segments.segments.size() == 3);
 }
@@ -241,8 +242,8 @@ TEST_CASE("node lists: of bars that overlap in a ring the lowest is topmost, and
   const Camera camera = orthographic_camera("above", {{0, 0, 10}, {0, 0, 0}, {0, 1, 0}, 1, {}, {}}, 16);
   const ProjectedScene scene = project(mesh, camera, Sides::both);
   const auto side = [](std::size_t f, int winding) { return EdgeSide{FacetId(f), winding, MeshEdgeId{}}; };
-  for (const std::vector<DepthRange>& ranges : {std::vector<DepthRange>{}, depth_ranges(mesh, scene)}) {
-    DepthOrder depth(mesh, scene, ranges);
+  for (const std::vector<DepthRange>& ranges : {std::vector<DepthRange>{}, depth_ranges(scene)}) {
+    DepthOrder depth(scene, ranges);
     for (std::size_t i = 0; i < 3; ++i) REQUIRE(depth.nearer(FacetId(1 + i), FacetId(1 + (i + 1) % 3)));
     for (std::size_t first = 0; first < 3; ++first) {
       CAPTURE(first);

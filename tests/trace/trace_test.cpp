@@ -9,6 +9,7 @@
 #include "cli/trace/sweep_log_json.h"
 #include "cli/trace/trace_examples.h"
 #include "geometry/numbers/errors.h"
+#include "tests/tools/analyzed.h"
 #include "trace/trace_sweep.h"
 
 namespace sightline::tests::trace_test {
@@ -17,9 +18,16 @@ using namespace trace;
 
 namespace {
 
+TracedView view_of(const TraceScene& scene, Arithmetic arithmetic = Arithmetic::exact) {
+  return {std::make_shared<const CutMesh>(scene.mesh),
+          scene.camera,
+          Sides::both,
+          {arithmetic, scene.precision.grid_bits},
+          scene.names};
+}
+
 SweepLog log_of(const TraceScene& scene, Arithmetic arithmetic = Arithmetic::exact) {
-  return trace_sweep(
-      scene.mesh, project(scene.mesh, scene.camera, Sides::both, {arithmetic, scene.precision.grid_bits}), scene.names);
+  return trace_sweep(view_of(scene, arithmetic));
 }
 
 SweepLog log_of(const std::string& example) { return log_of(trace_example_named(example)->make()); }
@@ -196,7 +204,7 @@ TEST_CASE("trace: what holds in the log of every built-in scene") {
     check_lists(log);
     check_segments(log);
     check_rings(log);
-    const VisibleSegments untraced = plain_sweep(scene.mesh, log.scene);
+    const VisibleSegments untraced = plain_sweep(log.scene);
     CHECK(untraced.statistics.sweep_points == log.steps.size());
     CHECK(untraced.segments.size() == log.segments.size());
     for (const SweepStep& step : log.steps) {
@@ -265,10 +273,9 @@ TEST_CASE("trace: predicates name the tier that decided") {
 
 TEST_CASE("trace: a sweep with more points than there is room for is refused") {
   const TraceScene scene = trace_example_named("fang")->make();
-  const ProjectedScene projected = project(scene.mesh, scene.camera, Sides::both);
-  CHECK_THROWS_AS((void)trace_sweep(scene.mesh, projected, scene.names, 11), TooManySteps);
-  CHECK_THROWS_AS((void)trace_sweep(scene.mesh, projected, scene.names, 7), TooManySteps);
-  CHECK(trace_sweep(scene.mesh, projected, scene.names, 12).steps.size() == 12);
+  CHECK_THROWS_AS((void)trace_sweep(view_of(scene), 11), TooManySteps);
+  CHECK_THROWS_AS((void)trace_sweep(view_of(scene), 7), TooManySteps);
+  CHECK(trace_sweep(view_of(scene), 12).steps.size() == 12);
 }
 
 }  // namespace sightline::tests::trace_test

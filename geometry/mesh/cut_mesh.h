@@ -1,0 +1,46 @@
+// A surface whose facets do not pass through each other: what can be projected and swept.
+//
+// In:  a mesh cut along the common lines of its facets (cut_along_common_lines), or one that is taken as it is
+//      (uncrossed).
+// Holds (validate(mesh) checks it): what holds of a Mesh holds here for exact positions. The vertices that cutting made
+//      are known exactly, and `vertices` has them rounded once. Faces and the input's vertices keep their numbers.
+#pragma once
+
+#include "geometry/mesh/mesh.h"
+#include "geometry/numbers/exact_position.h"
+
+namespace sightline::inline geometry {
+
+// What is known of the facets before they were cut, the wholes. All of it is empty where nothing was cut.
+struct FacetCuts {
+  std::vector<ExactPosition> points;             // the exact positions of the vertices behind those of the input
+  PolygonList wholes;                            // the facets before, all of them; corners are the input's vertices
+  std::vector<WholeId> whole_of;                 // per facet
+  std::vector<FacetId> first_facet;              // per whole, and one past the end
+  std::vector<std::array<WholeId, 2>> crossing;  // those that pass through each other: smaller id first; sorted
+  // Per mesh edge: the ends of the input's edge that it is a piece of; invalid where it lies on a common line.
+  std::vector<std::array<VertexId, 2>> input_edge;
+};
+
+struct CutMesh : PolygonMesh {
+  FacetCuts cuts;
+
+  [[nodiscard]] bool is_cut() const { return !cuts.whole_of.empty(); }
+  [[nodiscard]] std::size_t input_vertex_count() const { return vertices.size() - cuts.points.size(); }
+  [[nodiscard]] std::size_t whole_count() const { return is_cut() ? cuts.wholes.size() : facets.size(); }
+};
+
+// The mesh as it is, for a caller who knows that none of its facets pass through each other, or who accepts that where
+// they do the wrong facet is on top in places.
+[[nodiscard]] CutMesh uncrossed(Mesh mesh);
+
+// The exact position of a vertex, whether it is the input's or made by cutting.
+[[nodiscard]] ExactPosition exact_position(const CutMesh& mesh, VertexId v);
+
+// Whether three vertices lie on one line, exactly.
+[[nodiscard]] bool collinear(const CutMesh& mesh, VertexId a, VertexId b, VertexId c);
+
+// What of the above does not hold, one line each, with the ids; empty for a valid mesh.
+[[nodiscard]] std::vector<std::string> validate(const CutMesh& mesh);
+
+}  // namespace sightline::inline geometry
