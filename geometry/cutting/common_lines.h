@@ -21,7 +21,7 @@ namespace sightline::inline geometry {
 
 [[nodiscard]] Mesh cut_along_common_lines(Mesh mesh, const MeshContacts& contacts);
 
-// The mesh before it was cut.
+// Returns the mesh as it was before the cut.
 [[nodiscard]] Mesh without_cuts(const Mesh& mesh);
 
 }  // namespace sightline::inline geometry

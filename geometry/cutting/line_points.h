@@ -24,10 +24,10 @@ class LinePoints {
   // `edge` is invalid for an edge on a common line.
   void add(MeshEdgeId edge, VertexId from, VertexId to);
 
-  // To be called once, when all are added. rank: per vertex, the lexicographic order of exact positions.
+  // This is called once, when all are added. `rank` is, per vertex, the lexicographic order of exact positions.
   void sort(std::span<const std::uint32_t> rank);
 
-  // The points strictly between two points of the line, from the first to the second.
+  // Returns the points strictly between two points of the line, from the first to the second.
   [[nodiscard]] std::vector<VertexId> between(MeshEdgeId edge, VertexId from, VertexId to,
                                               std::span<const std::uint32_t> rank) const;
 

@@ -25,7 +25,7 @@
 
 namespace sightline::inline geometry {
 
-// Polygons as index lists: face f has the corners corners[begin[f]] .. corners[begin[f + 1] - 1].
+// Polygons are index lists: face f has the corners corners[begin[f]] .. corners[begin[f + 1] - 1].
 struct PolygonList {
   std::vector<std::uint32_t> begin{0};
   std::vector<VertexId> corners;
@@ -40,7 +40,7 @@ struct PolygonList {
   }
 };
 
-// Why a face is skipped, or what was mended. A reason that is not listed here does not exist.
+// A defect says why a face is skipped, or what was mended. A reason that is not listed here does not exist.
 enum class Defect : std::uint8_t {
   too_few_corners,  // fewer than three distinct corners: skipped
   zero_area,        // all corners on one line, exactly, or nothing but spikes: skipped
@@ -56,15 +56,16 @@ struct FaceDefect {
   Defect defect;
 };
 
-// What a mesh whose facets were cut along their common lines (common_lines.h) knows of the facets before: the wholes.
-// All empty where nothing was cut.
+// The cuts say what a mesh whose facets were cut along their common lines (common_lines.h) knows of the facets before:
+// the wholes. All is empty where nothing was cut.
 struct FacetCuts {
   std::vector<ExactPosition> points;             // the exact positions of the vertices behind those of the input
   PolygonList wholes;                            // the facets before, all of them; corners are the input's vertices
   std::vector<WholeId> whole_of;                 // per facet
   std::vector<FacetId> first_facet;              // per whole, and one past the end
   std::vector<std::array<WholeId, 2>> crossing;  // those that pass through each other: smaller id first; sorted
-  // Per mesh edge: the ends of the input's edge that it is a piece of; invalid where it lies on a common line.
+  // Each mesh edge has the ends of the input's edge that it is a piece of; they are invalid where it lies on a common
+  // line.
   std::vector<std::array<VertexId, 2>> input_edge;
 };
 
@@ -76,9 +77,9 @@ struct Mesh {
   std::vector<FacetId> face_facet;        // per face, and one past the end: its first facet
   std::vector<std::uint8_t> face_planar;  // per face: 1 where all its corners lie in one plane, exactly
 
-  // Topology, with equal positions welded.
+  // The topology has equal positions welded.
   std::vector<VertexId> weld;  // per vertex: the first vertex with this position
-  // Per mesh edge: its ends (welded), the lexicographically smaller position first.
+  // Each mesh edge has its ends (welded), the lexicographically smaller position first.
   std::vector<std::array<VertexId, 2>> edges;
   std::vector<MeshEdgeId> facet_edges;  // parallel to facets.corners: the edge from this corner to the next
 
@@ -104,13 +105,13 @@ struct Mesh {
 // with file and line).
 [[nodiscard]] Mesh build_mesh(std::vector<Point3> vertices, PolygonList faces);
 
-// A vertex' exact position, whether it is the input's or made by cutting.
+// Returns a vertex' exact position, whether it is the input's or made by cutting.
 [[nodiscard]] ExactPosition exact_position(const Mesh& mesh, VertexId v);
 
-// Whether three vertices lie on one line, exactly.
+// Returns whether three vertices lie on one line, exactly.
 [[nodiscard]] bool collinear(const Mesh& mesh, VertexId a, VertexId b, VertexId c);
 
-// What of the above does not hold, one line each, with the ids; empty for a valid mesh.
+// Returns what of the above does not hold, one line each, with the ids; nothing for a valid mesh.
 [[nodiscard]] std::vector<std::string> validate(const Mesh& mesh);
 
 }  // namespace sightline::inline geometry

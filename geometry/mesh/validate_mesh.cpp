@@ -20,7 +20,7 @@ bool is_list(const PolygonList& polygons, std::size_t vertex_count) {
          std::ranges::all_of(polygons.corners, [&](VertexId v) { return v.index() < vertex_count; });
 }
 
-// Sizes and ranges: what the other checks need in order to look at anything.
+// Sizes and ranges come first: the other checks need them in order to look at anything.
 Messages check_arrays(const Mesh& mesh) {
   Messages messages;
   const auto require = [&](bool holds, const char* what) {
