@@ -37,7 +37,7 @@ double contour_share(const ProjectedScene& scene, const Continuation& continuati
   return static_cast<double>(contours) / static_cast<double>(std::max<std::size_t>(scene.edge_count(), 1));
 }
 
-// Per level of cells the pairs of all facets that are not known to be hidden, as a sample of them says.
+// Returns, per level of cells, the pairs of all facets that are not known to be hidden, as a sample of them says.
 std::array<double, highest_level + 1> pairs_by_level(const ProjectedScene& scene,
                                                      const std::vector<std::uint8_t>& hidden) {
   const CellGrid finest(scene.grid_bits, highest_level);
@@ -66,7 +66,7 @@ int level_for(const ProjectedScene& scene, const Continuation& continuation, con
   return level;
 }
 
-// Tells an observer where the sweeps of several bands are in the whole: how far all of them are together.
+// This tells an observer where the sweeps of several bands are in the whole: how far all of them are together.
 class BandObservers {
  public:
   BandObservers(const ProjectedScene& whole, SweepObserver* observer) : whole_(whole), observer_(observer) {}

@@ -24,7 +24,7 @@ enum class Engine : std::uint8_t { fast, full };
 [[nodiscard]] VisibleSegments find_visible_segments(const Mesh& mesh, const ProjectedScene& scene,
                                                     Engine engine = Engine::fast, SweepObserver* observer = nullptr);
 
-// What the fast engine chooses by itself: the result does not depend on it.
+// The fast engine chooses these by itself; the result does not depend on them.
 struct FastOptions {
   std::optional<int> level;          // 2^level cells along each side of the window
   std::optional<std::size_t> bands;  // that are swept in parallel

@@ -27,10 +27,10 @@ struct Bands {
   std::vector<std::vector<FacetId>> swept;  // per band, by id
 };
 
-// How many pay, whatever the number of threads is.
+// Returns how many bands pay, whatever the number of threads is.
 [[nodiscard]] std::size_t band_count(const std::vector<Role>& roles, const CellGrid& grid, const FacetCells& cells);
 
-// At least one band, at most most_bands.
+// There is at least one band, and there are at most most_bands.
 [[nodiscard]] Bands make_bands(const Mesh& mesh, const std::vector<Role>& roles, const CellGrid& grid,
                                const FacetCells& cells, std::size_t count);
 

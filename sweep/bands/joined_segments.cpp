@@ -34,7 +34,7 @@ class Joining {
  private:
   [[nodiscard]] bool is_of(FacetId f, BandId band) const { return bands_.band_of[f.index()] == band; }
 
-  // What a band's sweep says of other facets than its own is not used.
+  // Only what a band's sweep says of its own facets is used.
   void drop_foreign(BandId band) {
     VisibleSegments& swept = swept_[band.index()];
     std::erase_if(swept.threads, [&](const Thread& t) { return !is_of(t.facet, band); });
@@ -52,7 +52,7 @@ class Joining {
     for (EdgeSplit& split : swept_[band.index()].splits) visit(split.point);
   }
 
-  // Per crossing of the band's sweep whether what is used of the band has it as a point.
+  // Returns, per crossing of the band's sweep, whether what is used of the band has it as a point.
   [[nodiscard]] std::vector<std::uint8_t> used_crossings(BandId band) {
     const std::size_t vertices = scene_.points.size();
     std::vector<std::uint8_t> used(swept_[band.index()].crossings.size(), 0);
@@ -99,7 +99,8 @@ class Joining {
     splits.erase(std::unique(splits.begin(), splits.end()), splits.end());
   }
 
-  // In the order in which they open; those of one point by band, and those of one band from left to right.
+  // Openings come in the order in which they open; those of one point by band, and those of one band from left to
+  // right.
   [[nodiscard]] std::vector<Opening> collect_swept() {
     std::vector<Opening> all;
     new_name_.resize(swept_.size());
@@ -118,7 +119,7 @@ class Joining {
     return all;
   }
 
-  // Points by ranges, each by one thread. Nothing opens below all points.
+  // Points are divided into ranges, and each range is one thread's. Nothing opens below all points.
   void place_segments(const std::vector<Opening>& from_bands) {
     const std::size_t points = scene_.points.size();
     std::vector<std::vector<Opening>> parts(range_count(points));

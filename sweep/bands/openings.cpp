@@ -27,7 +27,7 @@ class OpeningFinder {
   }
 
  private:
-  // What opens before point p, crossing by crossing, and what opens at p.
+  // Takes what opens before point p, crossing by crossing, and what opens at p.
   void take_swept_through(PointId p) {
     for (; next_swept_ < from_bands_.size(); ++next_swept_) {
       const Opening& opening = from_bands_[next_swept_];
@@ -52,7 +52,7 @@ class OpeningFinder {
 
   [[nodiscard]] bool is_plain(FacetId f) const { return roles_[f.index()] == Role::plain; }
 
-  // From left to right; along one edge first what is left of it.
+  // Openings are placed from left to right; along one edge, what is left of it comes first.
   void place_here() {
     sort_few(std::span(here_), [this](const Opening& a, const Opening& b) {
       const Sign turn = directions_turn(a.segment.edge, b.segment.edge);

@@ -26,8 +26,8 @@ struct Opening {
   [[nodiscard]] PointId upper() const { return left_of_edge ? segment.end : segment.start; }
 };
 
-// At points [begin, end). from_bands: in the order in which they open, those of one point and one band from left to right
-// already; from the first that may open there on.
+// Returns what opens at points [begin, end). `from_bands` has what opens in the bands, from the first that may open
+// there on, in the order in which it opens; what opens at one point in one band already goes from left to right.
 [[nodiscard]] std::vector<Opening> openings_at(const ProjectedScene& scene, const Continuation& continuation,
                                                const std::vector<Role>& roles, const SweepOrder& order,
                                                std::span<const Opening> from_bands, std::size_t begin, std::size_t end);

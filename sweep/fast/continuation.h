@@ -31,10 +31,10 @@ class Continuation {
 
   [[nodiscard]] bool is_contour(EdgeId e) const { return !neighbours_[e.index()].left.valid(); }
   [[nodiscard]] bool is_proper(FacetId f) const { return proper_[f.index()] != 0; }
-  // Invalid ids at a contour edge.
+  // The ids are invalid at a contour edge.
   [[nodiscard]] const Neighbours& across(EdgeId e) const { return neighbours_[e.index()]; }
 
-  // Per corner of the facet's polygon the edge to the next corner; invalid where both are one point.
+  // Returns, per corner of the facet's polygon, the edge to the next corner; it is invalid where both are one point.
   [[nodiscard]] std::span<const EdgeId> edges_of(const ProjectedScene& scene, FacetId f) const {
     const auto first = scene.polygon_begin[f.index()];
     return std::span(edges_).subspan(first, scene.polygon_begin[f.index() + 1] - first);

@@ -17,8 +17,8 @@ namespace {
 // After so many sheets over a cell's centre that do not cover it, no more are tried.
 constexpr std::size_t most_failures = 4;
 
-// Whether an edge certainly misses a square: its line passes the centre further away than the corners are. The products are
-// off by less than 2^-50 of their absolute values.
+// Returns whether an edge certainly misses a square: its line passes the centre further away than the corners are. The
+// products are off by less than 2^-50 of their absolute values.
 bool misses(const ImagePoint& a, const ImagePoint& b, const ImagePoint& centre, std::int64_t cell_size) {
   const double half = static_cast<double>(cell_size) / 2;
   const auto ax = static_cast<double>(a.x - centre.x);
@@ -42,7 +42,7 @@ bool boxes_are_apart(std::span<const ImagePoint> a, std::span<const ImagePoint> 
   return apart([](const ImagePoint& p) { return p.x; }) || apart([](const ImagePoint& p) { return p.y; });
 }
 
-// Whether all the points are on the outer side of an edge of a convex polygon with this turn, or on its line.
+// Returns whether all the points are on the outer side of an edge of a convex polygon with this turn, or on its line.
 bool is_beyond_an_edge(std::span<const ImagePoint> points, std::span<const ImagePoint> polygon, Sign turn) {
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const ImagePoint& next = polygon[i + 1 == polygon.size() ? 0 : i + 1];
@@ -52,7 +52,7 @@ bool is_beyond_an_edge(std::span<const ImagePoint> points, std::span<const Image
   return false;
 }
 
-// Looks at some of the cells, and counts for each facet in how many of them it is not in front.
+// This looks at some of the cells, and counts for each facet in how many of them it is not in front.
 class CoverFinder {
  public:
   CoverFinder(const Mesh& mesh, const ProjectedScene& scene, const std::vector<DepthRange>& depths,
@@ -97,8 +97,8 @@ class CoverFinder {
     std::ranges::sort(over_centre_, {}, [this](FacetId f) { return std::pair(depths_[f.index()].farthest, f); });
   }
 
-  // The sheet of a facet over the centre that covers the cell, and no other's that is tried lies before it: its facets are in
-  // front, and have the last mark.
+  // The cover is the sheet of a facet over the centre that covers the cell, where no other sheet that is tried lies
+  // before it. Its facets are in front, and have the last mark.
   bool find_cover() {
     FacetId cover;
     std::size_t failed = 0;
@@ -113,7 +113,7 @@ class CoverFinder {
     return cover.valid() && flood_cover(cover);
   }
 
-  // False where the sheet meets a contour edge in the cell.
+  // Returns false where the sheet meets a contour edge in the cell.
   bool flood_cover(FacetId first) {
     ++marks_;
     cover_farthest_ = -std::numeric_limits<double>::infinity();
@@ -192,7 +192,7 @@ class CoverFinder {
   std::vector<std::uint32_t> hidden_cells_;  // per facet: in how many cells it is not in front
   std::uint32_t marks_ = 0;
 
-  // Of the current cell:
+  // These belong to the current cell.
   CellIndex cell_ = 0;
   ImagePoint centre_;
   std::vector<FacetId> over_centre_;

@@ -1,4 +1,4 @@
-// The rounded polygon of a facet as plain points.
+// The rounded polygon of a facet is given here as plain points.
 #pragma once
 
 #include <boost/container/small_vector.hpp>

@@ -19,7 +19,7 @@
 
 namespace sightline::inline sweep {
 
-// What becomes of a facet. A role that is not listed here does not exist.
+// The role says what becomes of a facet. A role that is not listed here does not exist.
 enum class Role : std::uint8_t {
   absent,  // not in view
   hidden,  // behind covers

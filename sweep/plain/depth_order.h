@@ -32,12 +32,12 @@ namespace sightline::inline sweep {
 
 class DepthOrder {
  public:
-  // ranges: per facet, as depth_ranges(mesh, scene) gives them; or none, and then they do not help.
+  // `ranges` has those of depth_ranges(mesh, scene), per facet, or is empty, and then it does not help.
   DepthOrder(const Mesh& mesh, const ProjectedScene& scene, std::span<const DepthRange> ranges = {});
 
   [[nodiscard]] bool nearer(FacetId f, FacetId g);
 
-  // Unbounded where no ranges are known.
+  // The range is unbounded where no ranges are known.
   [[nodiscard]] DepthRange range(FacetId f) const {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     return ranges_.empty() ? DepthRange{-infinity, infinity} : ranges_[f.index()];
@@ -47,7 +47,7 @@ class DepthOrder {
   [[nodiscard]] std::uint64_t comparisons() const { return comparisons_; }
 
  private:
-  // How many places show the first facet in front, and how many behind.
+  // The evidence counts how many places show the first facet in front, and how many behind.
   struct Evidence {
     int front = 0;
     int behind = 0;
@@ -67,7 +67,7 @@ class DepthOrder {
   [[nodiscard]] Evidence overlap_evidence(WholeId f, WholeId g);
   [[nodiscard]] bool covers(WholeId f, VertexId v);
   void add_edge_crossings(WholeId f, WholeId g, Evidence& evidence);
-  // Three corners, so turned that the eye sees them counter-clockwise.
+  // Returns three corners, so turned that the eye sees them counter-clockwise.
   [[nodiscard]] std::array<VertexId, 3> plane_of(WholeId w) const;
   [[nodiscard]] Sign side_towards_eye(WholeId plane, VertexId v);
   [[nodiscard]] Sign seen_orientation(VertexId a, VertexId b, VertexId c);

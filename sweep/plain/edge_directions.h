@@ -1,4 +1,4 @@
-// Per edge of the projected scene its direction, in the sweep's arithmetic.
+// Each edge of the projected scene has its direction here, in the sweep's arithmetic.
 #pragma once
 
 #include <vector>
@@ -17,7 +17,7 @@ class EdgeDirections {
     }
   }
 
-  // +1 where, below a common point, a lies left of b; 0 where they lie on each other.
+  // Returns +1 where, below a common point, a lies left of b; 0 where they lie on each other.
   [[nodiscard]] Sign turn(EdgeId a, EdgeId b) const {
     return Decisions::turn(direction_[a.index()], direction_[b.index()]);
   }

@@ -29,25 +29,26 @@ struct Node {
 
 class NodeList {
  public:
-  // Invalid where no facet is over the span.
+  // The facet is invalid where no facet is over the span.
   [[nodiscard]] FacetId topmost() const { return topmost_; }
   [[nodiscard]] bool is_topmost_nearest() const { return is_topmost_nearest_; }
   [[nodiscard]] std::span<const Node> nodes() const { return {nodes_.data(), nodes_.size()}; }
-  // Of those in range; the topmost facet alone where it is nearer than all others.
+  // Returns the top cycle of the facets in range; it is the topmost facet alone where that is nearer than all others.
   [[nodiscard]] std::vector<FacetId> top_cycle(DepthOrder& depth) const;
 
-  // Crosses edges with these sides, all of one bundle, from left to right. O(d + s log s) for d facets in the list and s
-  // sides, and one comparison of depths for each facet that enters. Where the topmost facet changes, also two for each
-  // facet whose depths begin before all of it; where there is no nearest one, one for each pair of facets in range.
+  // Crosses edges with these sides, all of one bundle, from left to right. This takes O(d + s log s) for d facets in
+  // the list and s sides, and one comparison of depths for each facet that enters. Where the topmost facet changes,
+  // also two for each facet whose depths begin before all of it; where there is no nearest one, one for each pair of
+  // facets in range.
   void cross(std::span<const EdgeSide> sides, DepthOrder& depth);
 
-  // Whether both hold the same facets with the same winding numbers. O(1): compares a fingerprint that differs for
-  // different contents with all but certainty.
+  // Returns whether both hold the same facets with the same winding numbers. This is O(1): it compares a fingerprint
+  // that differs for different contents with all but certainty.
   [[nodiscard]] bool same_contents(const NodeList& other) const {
     return nodes_.size() == other.nodes_.size() && fingerprint_ == other.fingerprint_;
   }
 
-  // Whether crossing edges with these sides makes the other list of this one, with the same certainty. O(s).
+  // Returns whether crossing edges with these sides makes the other list of this one, with the same certainty, in O(s).
   [[nodiscard]] bool leads_to(const NodeList& other, std::span<const EdgeSide> sides) const {
     return fingerprint_ + fingerprint_of(sides) == other.fingerprint_;
   }

@@ -23,10 +23,10 @@ class PieceOrder {
  public:
   PieceOrder(const Mesh& mesh, const ProjectedScene& scene);
 
-  // Whether two wholes cross.
+  // Returns whether two wholes cross.
   [[nodiscard]] bool applies_to(WholeId a, WholeId b) const;
 
-  // f < g.
+  // Precondition: f < g.
   [[nodiscard]] bool lower_is_nearer(FacetId f, FacetId g);
 
  private:

@@ -24,7 +24,8 @@ namespace sightline::inline sweep {
 
 class SweepState;
 
-// Called at every sweep point, after it has been worked off. Teaching, tracing, progress and statistics hang on it.
+// An observer is called at every sweep point, after it has been worked off. Teaching, tracing, progress and statistics
+// hang on it.
 class SweepObserver {
  public:
   virtual ~SweepObserver() = default;
@@ -38,15 +39,15 @@ class SweepObserver {
   };
   virtual void at(const SweepPoint& point) = 0;
 
-  // After `at`, by a sweep of everything: for whoever wants to see more (sweep_state.h). The fast engine's bands are
-  // parts of the scene, and are not shown.
+  // A sweep of everything calls this after `at`, for whoever wants to see more (sweep_state.h). The fast engine's bands
+  // are parts of the scene, and are not shown.
   virtual void look(const SweepState& /*state*/) {}
 };
 
 [[nodiscard]] VisibleSegments plain_sweep(const Mesh& mesh, const ProjectedScene& scene,
                                           SweepObserver* observer = nullptr);
 
-// depths: as depth_ranges(mesh, scene) gives them for the facets in view, where they are known already.
+// `depths` are those of depth_ranges(mesh, scene) for the facets in view, where they are known already.
 [[nodiscard]] VisibleSegments plain_sweep(const Mesh& mesh, const ProjectedScene& scene,
                                           std::span<const DepthRange> depths, SweepObserver* observer);
 

@@ -1,4 +1,4 @@
-// Tables over the projected scene that the sweep looks things up in.
+// The sweep looks things up in these tables over the projected scene.
 #pragma once
 
 #include <algorithm>
@@ -14,11 +14,11 @@ class SweepInput {
  public:
   SweepInput(const Mesh& mesh, const ProjectedScene& scene);
 
-  // The edges with this vertex as their lower (upper) end; none for an invalid vertex.
+  // Returns the edges with this vertex as their lower (upper) end; there are none for an invalid vertex.
   [[nodiscard]] std::span<const EdgeId> ending_at(PointId p) const { return range(by_bottom_, bottom_begin_, p); }
   [[nodiscard]] std::span<const EdgeId> starting_at(PointId p) const { return range(by_top_, top_begin_, p); }
 
-  // Whether vertices at different positions of the input fall on this point.
+  // Returns whether vertices at different positions of the input fall on this point.
   [[nodiscard]] bool has_several_vertices(PointId p) const { return several_vertices_[p.index()] != 0; }
 
  private:

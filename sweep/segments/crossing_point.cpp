@@ -9,7 +9,7 @@ Int128 cross(std::int64_t ax, std::int64_t ay, std::int64_t bx, std::int64_t by)
   return static_cast<Int128>(ax) * by - static_cast<Int128>(ay) * bx;
 }
 
-// The sign of a coordinate of a minus that of b, each base + offset / denominator.
+// Returns the sign of a coordinate of a minus that of b, each base + offset / denominator.
 Sign compare_coordinate(std::int64_t base_difference, Int128 offset_a, Int128 denominator_a, Int128 offset_b,
                         Int128 denominator_b) {
   const Wide256 da(denominator_a);
@@ -17,7 +17,7 @@ Sign compare_coordinate(std::int64_t base_difference, Int128 offset_a, Int128 de
   return sign_of(Wide256(Wide256(base_difference) * da * db + Wide256(offset_a) * db - Wide256(offset_b) * da));
 }
 
-// How far along the first edge the edges cross.
+// The share says how far along the first edge the edges cross.
 struct Share {
   Int128 numerator;
   Int128 denominator;  // > 0

@@ -17,17 +17,17 @@ class ImagePoints {
  public:
   ImagePoints(const ProjectedScene& scene, const VisibleSegments& segments);
 
-  // In grid units; exact for scene points, off by at most crossing_error for crossings.
+  // The place is in grid units; it is exact for scene points, and off by at most crossing_error for crossings.
   [[nodiscard]] Point2 approximate(PointId p) const {
     const std::size_t vertices = scene_->points.size();
     if (p.index() >= vertices) return {crossings_[p.index() - vertices].x, crossings_[p.index() - vertices].y};
     return {static_cast<double>(scene_->point(p).x), static_cast<double>(scene_->point(p).y)};
   }
-  // In the window's units: the exact place, rounded once.
+  // Returns the exact place, rounded once, in the window's units.
   [[nodiscard]] Point2 in_window(PointId p) const;
   [[nodiscard]] ExactPoint exact(PointId p) const;
 
-  // +1 where a, b, c turn counter-clockwise.
+  // Returns +1 where a, b, c turn counter-clockwise.
   [[nodiscard]] Sign orientation(PointId a, PointId b, PointId c) const;
 
   [[nodiscard]] bool sweeps_before(PointId a, PointId b) const { return order_(a, b); }

@@ -8,7 +8,7 @@ namespace {
 
 using Messages = std::vector<std::string>;
 
-// Whether the ends of b lie strictly on different sides of a.
+// Returns whether the ends of b lie strictly on different sides of a.
 bool separates(const ProjectedScene& scene, EdgeId a, EdgeId b) {
   const auto side = [&](PointId p) {
     return orientation(scene.point(scene.edge(a).top), scene.point(scene.edge(a).bottom), scene.point(p));

@@ -1,6 +1,6 @@
-// Each line of "Holds" in visible_segments.h, as far as it can be seen without the mesh. What depends on which facets
-// are one surface (balance of start and end points, no two segments of a surface meet but in end points) is checked
-// here per point and per facet, and per surface in validate(polygons, ...).
+// Each line of "Holds" in visible_segments.h is checked here as far as it can be seen without the mesh. What depends on
+// which facets are one surface (balance of start and end points, no two segments of a surface meet but in end points)
+// is checked per point and per facet here, and per surface in validate(polygons, ...).
 #include <algorithm>
 #include <utility>
 
@@ -17,7 +17,7 @@ using Messages = std::vector<std::string>;
 std::string thread_name(std::size_t t) { return "thread " + std::to_string(t); }
 std::string split_name(std::size_t s) { return "split " + std::to_string(s); }
 
-// What the other checks need in order to look at anything.
+// Ranges come first: the other checks need them in order to look at anything.
 Messages check_ranges(const VisibleSegments& segments, const ProjectedScene& scene) {
   Messages messages;
   const auto is_edge = [&](EdgeId e) { return e.index() < scene.edge_count(); };
@@ -88,7 +88,7 @@ class SegmentCheck {
     }
   }
 
-  // The winding number of a facet right or left of an edge, just below a point of the edge.
+  // Returns the winding number of a facet right or left of an edge, just below a point of the edge.
   [[nodiscard]] int winding_beside(FacetId facet, PointId p, EdgeId edge, bool right) const {
     const auto polygon = scene_.polygon(facet);
     int winding = 0;
@@ -128,7 +128,8 @@ class SegmentCheck {
     }
   }
 
-  // By the point where they open, then left to right; on one line the segment of the facet to the left comes first.
+  // Segments are ordered by the point where they open, then left to right; on one line the segment of the facet to the
+  // left comes first.
   void check_order(SegmentId a, SegmentId b) {
     const PointId upper_a = sides_.upper(segment(a));
     const PointId upper_b = sides_.upper(segment(b));
@@ -149,7 +150,7 @@ class SegmentCheck {
     }
   }
 
-  // Segments of one facet along one edge.
+  // No two segments of one facet may overlap along one edge.
   void check_overlaps() {
     std::vector<SegmentId> order;
     for (std::size_t s = 0; s < segments_.segments.size(); ++s) order.emplace_back(s);
