@@ -20,9 +20,9 @@ struct SurfacePiece {
 [[nodiscard]] VisibleSegments reflecting_segments(const Mesh& mesh, const MergedScene& merged,
                                                   std::vector<SurfacePiece> pieces);
 
-// Gives the reflecting segments their splits: where their ends lie strictly inside edges of their own surface, which the
-// labelled surface must split for all faces on them. visible: the view's visible segments, on whose edges these ends can
-// lie.
+// Gives the reflecting segments their splits, which are where their ends lie strictly inside edges of their own
+// surface, which the labelled surface must split for all faces on them. `visible` has the view's visible segments, on
+// whose edges these ends can lie.
 void find_splits(VisibleSegments& reflecting, const Mesh& mesh, const ProjectedScene& scene,
                  const VisibleSegments& visible);
 

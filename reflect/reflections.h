@@ -41,7 +41,7 @@ struct ReflectedView {
 [[nodiscard]] ReflectedView find_reflections(const MirrorWorld& world, const ProjectedScene& scene,
                                              const VisibleSegments& segments, const VisiblePolygons& polygons);
 
-// Of the reflecting polygons above resolution: what label_mesh wants to know.
+// Returns the borders of the reflecting polygons above resolution, as label_mesh wants them.
 [[nodiscard]] PanelBorders panel_borders(const Reflections& reflections);
 
 }  // namespace sightline::inline reflect

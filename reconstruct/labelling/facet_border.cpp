@@ -6,7 +6,7 @@
 namespace sightline::inline reconstruct {
 namespace {
 
-// The points of an edge in the direction in which the facet runs through it.
+// Returns the points of an edge in the direction in which the facet runs through it.
 std::vector<EdgePoint> along(const Mesh& mesh, const EdgePoints& edge_points, MeshEdgeId edge, VertexId from) {
   const auto on_edge = edge_points.on(edge);
   std::vector<EdgePoint> result(on_edge.begin(), on_edge.end());
@@ -55,14 +55,14 @@ std::vector<BorderPoint> facet_border(const Mesh& mesh, const EdgePoints& edge_p
 
 namespace {
 
-// An edge of a piece, in the piece's direction.
+// This is an edge of a piece, in the piece's direction.
 struct PieceEdge {
   VertexId from;
   MeshEdgeId edge;
   bool forward = false;  // along the mesh edge
 };
 
-// Those on the border of a whole: inside it each edge has two pieces.
+// Returns the edges on the border of a whole: inside it each edge has two pieces.
 std::vector<PieceEdge> border_edges(const Mesh& mesh, WholeId whole) {
   std::vector<PieceEdge> edges;
   const auto& first = mesh.cuts.first_facet;
@@ -83,7 +83,7 @@ std::vector<PieceEdge> border_edges(const Mesh& mesh, WholeId whole) {
   return border;
 }
 
-// In order around the whole.
+// Returns the edges in their order around the whole.
 std::vector<PieceEdge> linked(const Mesh& mesh, const std::vector<PieceEdge>& border, VertexId start) {
   std::map<VertexId, PieceEdge> leaving;
   for (const PieceEdge& e : border) leaving[mesh.weld[e.from.index()]] = e;

@@ -46,8 +46,9 @@ struct LabelledTriangle {
   std::uint64_t reflecting = 0;  // bit p: it mirrors panel p into the camera
 };
 
-// Per panel, the borders of what reflects it, above resolution (reflect/reflections.h): directed pieces within visible
-// polygons, each on a surface that its `facet` names. Pieces meet in end points only. At most 64 panels.
+// Each panel has the borders of what reflects it, above resolution (reflect/reflections.h): directed pieces within
+// visible polygons, each on a surface that its `facet` names. Pieces meet in end points only. There are at most 64
+// panels.
 using PanelBorders = std::vector<std::vector<VisibleSegment>>;
 constexpr std::size_t most_panels = 64;
 
@@ -59,7 +60,7 @@ struct LabelledMesh {
 [[nodiscard]] LabelledMesh label_mesh(const Mesh& mesh, const ProjectedScene& scene, const VisibleSegments& segments,
                                       const VisiblePolygons& polygons, const PanelBorders& panels = {});
 
-// What of the above does not hold, one line each, with the ids; empty for a valid value.
+// Returns what of the above does not hold, one line each, with the ids; nothing for a valid value.
 [[nodiscard]] std::vector<std::string> validate(const LabelledMesh& labelled, const Mesh& mesh,
                                                 const ProjectedScene& scene);
 

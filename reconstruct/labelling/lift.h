@@ -21,7 +21,7 @@ namespace sightline::inline reconstruct {
 [[nodiscard]] Point3 lift_on_edge(const Mesh& mesh, const ProjectedScene& scene, const ImagePoints& points,
                                   const ClippedCorner& a, const ClippedCorner& b, PointId p);
 
-// Empty where p is not in the facet's rounded polygon.
+// The result is empty where p is not in the facet's rounded polygon.
 [[nodiscard]] std::optional<Point3> lift_on_facet(const Mesh& mesh, const ProjectedScene& scene,
                                                   const ImagePoints& points, FacetId facet, PointId p);
 

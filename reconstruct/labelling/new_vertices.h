@@ -1,6 +1,7 @@
-// The vertices of the labelled surface while it grows: those that all parts of it know, and those that one part adds.
+// The labelled surface has, while it grows, vertices that all parts of it know and vertices that one part adds.
 //
-// A part's own vertices get the ids behind the common ones; where parts are put together they move up (labelled_mesh.cpp).
+// A part's own vertices get the ids behind the common ones; where parts are put together they move up
+// (labelled_mesh.cpp).
 #pragma once
 
 #include <vector>

@@ -9,7 +9,8 @@
 namespace sightline::inline reconstruct {
 namespace {
 
-// The corners of the rounded polygon at which the facet itself turns. Rounding may bend a straight side, within the grid.
+// Returns the corners of the rounded polygon at which the facet itself turns. Rounding may bend a straight side, within
+// the grid.
 std::vector<ImagePoint> turning_points(const Mesh& mesh, const ProjectedScene& scene, FacetId facet) {
   const auto polygon = scene.polygon(facet);
   const auto edges = mesh.edges_of(facet);

@@ -52,11 +52,11 @@ struct VisiblePolygons {
 [[nodiscard]] VisiblePolygons reconstruct_polygons(const Mesh& mesh, const ProjectedScene& scene,
                                                    const VisibleSegments& segments);
 
-// The exact area of a polygon (outer ring minus holes), in grid units squared.
+// Returns the exact area of a polygon (outer ring minus holes), in grid units squared.
 [[nodiscard]] Rational exact_area(const ProjectedScene& scene, const VisibleSegments& segments,
                                   const VisiblePolygons& polygons, std::size_t polygon);
 
-// What of the above does not hold, one line each, with the ids; empty for a valid value.
+// Returns what of the above does not hold, one line each, with the ids; nothing for a valid value.
 [[nodiscard]] std::vector<std::string> validate(const VisiblePolygons& polygons, const Mesh& mesh,
                                                 const ProjectedScene& scene, const VisibleSegments& segments);
 

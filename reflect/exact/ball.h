@@ -33,7 +33,7 @@ struct Ball {
     static_assert(factor * (1 - 5 * 0x1p-53) > 1);
     return radius * factor + 0x1p-1070;
   }
-  // Proven. Gradual underflow gives a sum its true sign.
+  // The sign is proven. Gradual underflow gives a sum its true sign.
   [[nodiscard]] bool is_negative() const { return middle + radius < 0; }
   [[nodiscard]] bool is_positive() const { return middle - radius > 0; }
 
@@ -60,7 +60,7 @@ struct Ball {
 
 [[nodiscard]] inline Ball exactly(double x) { return {x, 0}; }
 
-// Holds all of [low, high].
+// Returns a ball that holds all of [low, high].
 [[nodiscard]] inline Ball ball_around(double low, double high) {
   const double middle = 0.5 * low + 0.5 * high;
   return {middle, Ball::widened(std::fmax(high - middle, middle - low))};
@@ -83,7 +83,7 @@ using BallVector = std::array<Ball, 3>;
   return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
 }
 
-// normal . v + constant.
+// The form's value at v is normal . v + constant.
 struct BallForm {
   BallVector normal;
   Ball constant;

@@ -16,7 +16,7 @@
 
 namespace sightline::inline reflect {
 
-// Right angle, then the neighbours along x and along y.
+// The corners are the right angle, then its neighbours along x and along y.
 using RightTriangle = std::array<ImagePoint, 3>;
 using CornerValues = std::array<double, 3>;
 

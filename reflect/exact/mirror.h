@@ -28,15 +28,17 @@ class Mirror {
  public:
   Mirror(const MirrorWorld& world, const ProjectedScene& scene, FacetId surface);
 
-  // The panels that the pyramid through a part of the window may reach.
+  // Returns the panels that the pyramid through a part of the window may reach.
   [[nodiscard]] std::vector<std::size_t> panels_reached(const WindowPart& part) const;
 
-  // polygon: the border of one of the surface's visible polygons; part: a rectangle around it; panel: one that is reached.
+  // `polygon` is the border of one of the surface's visible polygons, `part` a rectangle around it, and `panel` one
+  // that is reached.
   [[nodiscard]] RegionBorder reflecting(const RegionBorder& polygon, const WindowPart& part, std::size_t panel,
                                         ReflectionStatistics& statistics);
 
  private:
-  // A panel's image in the mirror, in convex polygons, and a rectangle around it; empty where it shows nothing.
+  // A panel's image in the mirror is a list of convex polygons, with a rectangle around it; it is empty where it shows
+  // nothing.
   struct PanelImage {
     std::vector<ImagePolygon> polygons;
     WindowPart part;

@@ -25,7 +25,8 @@ class MirrorView {
  public:
   MirrorView(const Camera& camera, const ExactPlane& mirror, int grid_bits);
 
-  // On which side of a plane the mirror camera's centre is (for an orthographic camera: its direction to the viewer).
+  // Returns on which side of a plane the mirror camera's centre is (for an orthographic camera: its direction to the
+  // viewer).
   [[nodiscard]] Sign side_of_centre(const ExactPlane& plane) const;
 
   [[nodiscard]] ImagePolygon image(CutPolygon polygon) const;
@@ -38,10 +39,10 @@ class MirrorView {
   int grid_bits_;
 };
 
-// Without corners that are those before them; empty where fewer than three are left.
+// Returns the polygon without corners that are those before them; it is empty where fewer than three are left.
 [[nodiscard]] ImagePolygon distinct_corners(const ImagePolygon& corners);
 
-// The camera's eye as an exact position; w = 0 for a direction.
+// Returns the camera's eye as an exact position; w = 0 for a direction.
 [[nodiscard]] ExactPosition exact_eye(const Camera& camera);
 
 }  // namespace sightline::inline reflect

@@ -14,7 +14,7 @@
 
 namespace sightline::inline reflect {
 
-// In units of the window; closed.
+// The part is in units of the window, and closed.
 struct WindowPart {
   double left = 0;
   double right = 0;

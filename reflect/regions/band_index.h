@@ -16,10 +16,10 @@ class BandIndex {
  public:
   explicit BandIndex(const RegionBorder& border);
 
-  // The pieces, by their place in the border, that may reach the height of p.
+  // Returns the pieces, by their place in the border, that may reach the height of p.
   [[nodiscard]] std::span<const std::uint32_t> at(const ImagePlace& p) const { return bands_[band_of(p.at.y)]; }
 
-  // visit(i) for the pieces that may reach a height of the piece; some more than once.
+  // Calls visit(i) for the pieces that may reach a height of the piece; some more than once.
   template <class Visit>
   void for_each_beside(const BorderPiece& piece, Visit visit) const {
     const auto [low, high] = bands_beside(piece);

@@ -1,4 +1,4 @@
-// A directed piece of the border of a region of the image, with the region to its left.
+// The border of a region of the image consists of directed pieces, which have the region to their left.
 #pragma once
 
 #include <vector>

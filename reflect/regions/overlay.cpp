@@ -12,7 +12,7 @@ bool runs_down(const BorderPiece& piece) { return before(piece.start, piece.end)
 const ImagePlace& upper(const BorderPiece& piece) { return runs_down(piece) ? piece.start : piece.end; }
 const ImagePlace& lower(const BorderPiece& piece) { return runs_down(piece) ? piece.end : piece.start; }
 
-// A piece with the places where it is to be divided.
+// A piece comes with the places where it is to be divided.
 struct Divided {
   BorderPiece piece;
   std::vector<ImagePlace> places;
@@ -22,8 +22,8 @@ struct Divided {
   }
 };
 
-// How often a region's border winds around what is just left and just right of a piece. The sweep line, from left to
-// right, enters the region where it crosses a piece that runs down.
+// The windings say how often a region's border winds around what is just left and just right of a piece. The sweep
+// line, from left to right, enters the region where it crosses a piece that runs down.
 struct Windings {
   int left = 0;
   int right = 0;
@@ -110,7 +110,7 @@ class Overlay {
     if ((runs_down(part) ? of_second.right : of_second.left) > 0) result_.push_back(part);
   }
 
-  // Where it runs along the first region's border that border stands for it.
+  // Where a part runs along the first region's border, that border stands for it.
   void add_of_second(const BorderPiece& part) {
     const Windings of_second = windings_beside(second_, bands_of_second_, part);
     const bool down = runs_down(part);

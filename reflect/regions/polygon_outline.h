@@ -23,11 +23,11 @@ class PolygonOutline {
     Point2 start;
     Point2 end;
 
-    // The distance of p from the side's line, to the left of it.
+    // Returns the distance of p from the side's line, to the left of it.
     [[nodiscard]] double left_of(const Point2& p) const;
   };
 
-  // Of a convex polygon its sides, else nothing: lines that have the polygon to their left.
+  // A convex polygon is bounded by its sides, lines that have it to their left; any other has none here.
   [[nodiscard]] const std::vector<Side>& bounds() const { return bounds_; }
 
  private:

@@ -34,7 +34,7 @@ class Sheets {
   PolygonList faces_;
 };
 
-// Straight down on the window: a point's image is its own x and y.
+// The camera looks straight down on the window: a point's image is its own x and y.
 [[nodiscard]] Camera straight_down();
 
 }  // namespace sightline::inline reflect

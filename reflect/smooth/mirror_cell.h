@@ -17,7 +17,7 @@
 
 namespace sightline::inline reflect {
 
-// From which side the ray meets the polygon: its front is where its corners are seen counter-clockwise.
+// The ray meets the polygon from one side: its front is where its corners are seen counter-clockwise.
 enum class PolygonSide : std::uint8_t { front, back };
 
 class MirrorCell {
@@ -25,14 +25,14 @@ class MirrorCell {
   MirrorCell(const ImagePoint& low, std::int64_t size, const SmoothRays& rays, const PolygonOutline& outline,
              int grid_bits);
 
-  // False where a corner's ray does not meet the mirror: nothing is known of the cell.
+  // The cell is not known where a corner's ray does not meet the mirror: then nothing is known of it.
   [[nodiscard]] bool is_known() const { return is_known_; }
 
   static constexpr std::size_t halves = 2;
   [[nodiscard]] RightTriangle half(std::size_t half) const;
   [[nodiscard]] LinearPart reflecting(std::size_t half, const std::vector<Point3>& polygon, PolygonSide side) const;
 
-  // Whether a box may have a point that one of the cell's mirrored rays meets.
+  // Returns whether a box may have a point that one of the cell's mirrored rays meets.
   [[nodiscard]] bool may_reach(const Box& box) const;
 
  private:
@@ -41,7 +41,8 @@ class MirrorCell {
   bool is_known_ = true;
   std::array<ImagePoint, 4> places_;  // counter-clockwise from the lowest
   std::array<MirroredRay, 4> rays_;
-  // Per ray the planes through it that are upright, and level, in the image; in front is what is to the right, or above.
+  // Each ray has the planes through it that are upright, and level, in the image; in front is what is to the right, or
+  // above.
   std::array<PlaneForm, 4> upright_;
   std::array<PlaneForm, 4> level_;
 };

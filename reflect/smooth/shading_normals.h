@@ -18,7 +18,7 @@ class ShadingNormals {
  public:
   ShadingNormals(const Mesh& mesh, const std::vector<Vector3>& vertex_normals, FacetId surface);
 
-  // Of length 1.
+  // The normal has length 1.
   [[nodiscard]] Vector3 at(const Point3& p) const;
   [[nodiscard]] const Vector3& of_plane() const { return plane_normal_; }
 

@@ -27,10 +27,10 @@ class SmoothMirror {
  public:
   SmoothMirror(const MirrorWorld& world, const ProjectedScene& scene, FacetId surface);
 
-  // The panels that may be reflected: all of them.
+  // Returns the panels that may be reflected: all of them.
   [[nodiscard]] std::vector<std::size_t> panels_reached(const WindowPart& part) const;
 
-  // polygon: the border of one of the surface's visible polygons; part: a rectangle around it.
+  // `polygon` is the border of one of the surface's visible polygons, `part` a rectangle around it.
   [[nodiscard]] RegionBorder reflecting(const RegionBorder& polygon, const WindowPart& part, std::size_t panel,
                                         ReflectionStatistics& statistics);
 
@@ -47,18 +47,18 @@ class SmoothMirror {
   };
   using SpacePolygon = std::vector<Point3>;
 
-  // One emitting side of a panel, and what has been found to be in its way.
+  // This is one emitting side of a panel, with what has been found to be in its way.
   struct PanelFace {
     std::size_t panel = 0;
     PolygonSide side = PolygonSide::front;
     ExactPlane plane;                  // with the emitting side in front
     std::vector<SpacePolygon> pieces;  // what of it is before the mirror
-    // What of an obstacle is before the mirror and the panel. By the number of its panel, or that behind the last one for
-    // the surface.
+    // Each obstacle has what of it is before the mirror and the panel. It is named by the number of its panel, or by
+    // that behind the last one for the surface.
     std::map<std::pair<std::size_t, WholeId>, SpacePolygon> obstacles;
   };
 
-  // For one polygon and panel.
+  // A search is for one polygon and panel.
   struct Search {
     const RegionBorder& polygon;
     const PolygonOutline outline;

@@ -31,7 +31,7 @@ class SmoothRays {
   [[nodiscard]] std::optional<MirroredRay> at(double x, double y) const;
 
  private:
-  // A ray of the camera.
+  // This is a ray of the camera.
   struct Ray {
     Point3 point;
     Vector3 direction;

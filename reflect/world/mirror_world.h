@@ -1,4 +1,4 @@
-// Everything that can be reflected or be in the way, prepared once for all cameras.
+// The world is everything that can be reflected or be in the way, prepared once for all cameras.
 #pragma once
 
 #include <vector>
@@ -22,14 +22,14 @@ struct MirrorWorld {
   std::vector<Vector3> normals;  // where the options need them: vertex_normals(surface)
 };
 
-// given_normals: see vertex_normals. Errors: PanelError.
+// `given_normals` are as for vertex_normals. Errors: PanelError.
 [[nodiscard]] MirrorWorld make_mirror_world(const Mesh& surface, std::vector<Panel> panels,
                                             const ReflectionOptions& options = {},
                                             const std::vector<Vector3>& given_normals = {});
 
 [[nodiscard]] CutPolygon whole_polygon(const Mesh& mesh, WholeId whole);
 
-// Three corners that are not on one line.
+// Returns three corners that are not on one line.
 [[nodiscard]] std::array<Point3, 3> plane_points(const Mesh& mesh, FacetId facet);
 [[nodiscard]] ExactPlane plane_through(const std::array<Point3, 3>& points);
 

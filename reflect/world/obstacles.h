@@ -16,17 +16,18 @@ namespace sightline::inline reflect {
 class Obstacles {
  public:
   Obstacles() = default;
-  // Of a mesh that was cut along common lines: the facets before. Which pieces they are in is of no interest here.
+  // A mesh that was cut along common lines has the facets before the cut as obstacles. Which pieces they are in is of
+  // no interest here.
   explicit Obstacles(const Mesh& mesh);
 
-  // may_touch: false where a box has no point in the pyramid.
+  // `may_touch` is false where a box has no point in the pyramid.
   [[nodiscard]] std::vector<WholeId> in(const std::function<bool(const Box&)>& may_touch) const;
 
  private:
   BoxHierarchy hierarchy_;
 };
 
-// The corners of a whole: of a facet, where the mesh was not cut.
+// Returns the corners of a whole: of a facet, where the mesh was not cut.
 [[nodiscard]] std::span<const VertexId> whole_corners(const Mesh& mesh, WholeId whole);
 
 [[nodiscard]] Box box_of(const Mesh& mesh, std::span<const VertexId> corners);

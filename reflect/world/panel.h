@@ -25,9 +25,9 @@ class PanelError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// The panel as the only face of a mesh. Throws PanelError for a panel that is no planar polygon: fewer than three
-// corners, no area, a corner that bounds nothing, corners beside its plane, a border that crosses itself. Precondition:
-// coordinates are finite.
+// Returns the panel as the only face of a mesh. Throws PanelError for a panel that is no planar polygon: fewer than
+// three corners, no area, a corner that bounds nothing, corners beside its plane, a border that crosses itself.
+// Precondition: coordinates are finite.
 [[nodiscard]] Mesh panel_mesh(const Panel& panel);
 
 }  // namespace sightline::inline reflect
