@@ -18,14 +18,14 @@
 
 namespace sightline::inline coverage {
 
-// By one camera, or by all of them together.
+// These are the areas covered by one camera, or by all of them together.
 struct CoveredAreas {
   double visible = 0;
   double any_panel = 0;        // mirrors one panel or more
   std::vector<double> panels;  // mirrors this panel
 };
 
-// By all cameras and panels together.
+// This is what all cameras and panels together cover of a face.
 struct FaceCoverage {
   double area = 0;
   double visible = 0;

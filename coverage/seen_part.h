@@ -33,7 +33,8 @@ struct SeenPart {
   std::vector<SeenSurface> surfaces;
   std::vector<SeenTriangle> triangles;
 
-  // Those of surfaces[i]; none where every panel is mirrored everywhere or nowhere on it, and all of it is seen.
+  // Returns the triangles of surfaces[i]; there are none where every panel is mirrored everywhere or nowhere on it, and
+  // all of it is seen.
   [[nodiscard]] std::span<const SeenTriangle> triangles_of(std::size_t i) const {
     const std::size_t first = surfaces[i].first_triangle;
     const std::size_t end = i + 1 < surfaces.size() ? surfaces[i + 1].first_triangle : triangles.size();

@@ -53,7 +53,7 @@ struct ObjFile {
 [[nodiscard]] ObjFile read_obj(const std::filesystem::path& file, const ReadLimits& limits = {},
                                Normals normals = Normals::passed_over);
 
-// The same from text in memory; file_name is for messages.
+// Reads the same from text in memory; file_name is for messages.
 [[nodiscard]] ObjFile read_obj(std::string_view text, const std::string& file_name, const ReadLimits& limits = {},
                                Normals normals = Normals::passed_over);
 

@@ -14,11 +14,11 @@ namespace sightline::inline formats {
 
 constexpr const char* coverage_file = "coverage.csv";
 
-// cameras, panels: their names, as many as the coverage has.
+// `cameras` and `panels` are their names, as many as the coverage has.
 [[nodiscard]] std::string coverage_table(const Coverage& coverage, const std::vector<std::string>& cameras,
                                          const std::vector<std::string>& panels);
 
-// Of an area within another one, in [0, 1].
+// Returns the share of an area within another one, in [0, 1].
 [[nodiscard]] double share_of(double part, double whole);
 
 }  // namespace sightline::inline formats

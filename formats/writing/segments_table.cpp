@@ -8,7 +8,7 @@ namespace sightline::inline formats {
 
 namespace {
 
-// The mesh edge of the face that lies on the scene edge; invalid where there is none.
+// Returns the mesh edge of the face that lies on the scene edge; invalid where there is none.
 MeshEdgeId edge_of_face(const Mesh& mesh, const ProjectedScene& scene, EdgeId edge, FaceId face) {
   for (const EdgeSide& side : scene.sides_of(edge)) {
     if (mesh.facet_face[side.facet.index()] == face && side.mesh_edge.valid()) return side.mesh_edge;
@@ -18,14 +18,14 @@ MeshEdgeId edge_of_face(const Mesh& mesh, const ProjectedScene& scene, EdgeId ed
 
 FaceId face_of(const Mesh& mesh, FacetId facet) { return facet.valid() ? mesh.facet_face[facet.index()] : FaceId{}; }
 
-// Of the segment's own face first, else of the face on its right.
+// Returns the edge of the segment's own face, else of the face on its right.
 MeshEdgeId edge_under(const Mesh& mesh, const ProjectedScene& scene, const VisibleSegment& segment) {
   const MeshEdgeId own = edge_of_face(mesh, scene, segment.edge, face_of(mesh, segment.facet));
   if (own.valid() || !segment.other.valid()) return own;
   return edge_of_face(mesh, scene, segment.edge, face_of(mesh, segment.other));
 }
 
-// By its ends. A piece of an edge of the input is named as that edge is.
+// An edge is named by its ends. A piece of an edge of the input is named as that edge is.
 void write_edge(const Mesh& mesh, MeshEdgeId edge, TextBuffer& out) {
   if (!edge.valid()) {
     out << "border";

@@ -14,7 +14,7 @@
 
 namespace sightline::inline formats {
 
-// places: window_points(view).
+// `places` are window_points(view).
 void write_segments_table(const Mesh& mesh, const View& view, const std::vector<Point2>& places, TextBuffer& out);
 
 }  // namespace sightline::inline formats

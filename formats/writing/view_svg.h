@@ -15,7 +15,7 @@
 
 namespace sightline::inline formats {
 
-// places: window_points(view). panels: the names of all panels; none: without their layers.
+// `places` are window_points(view). `panels` are the names of all panels; without any there are no layers for them.
 void write_view_svg(const Mesh& mesh, const View& view, const std::vector<Point2>& places,
                     const std::vector<std::string>& panels, TextBuffer& out);
 
