@@ -21,7 +21,7 @@ class MirrorRays {
   MirrorRays(const Mesh& mesh, const std::vector<Panel>& panels, const Camera& camera,
              const std::vector<Vector3>& normals = {});
 
-  // x, y: in the window [-1, 1]^2.
+  // x and y are in the window [-1, 1]^2.
   [[nodiscard]] int panel_at(double x, double y) const;
 
  private:

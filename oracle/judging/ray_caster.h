@@ -13,7 +13,7 @@
 
 namespace sightline::lattice {
 
-// Sorted by y. The same for every scene of the same grid.
+// The rays are sorted by y, and the same for every scene of the same grid.
 [[nodiscard]] std::vector<ImagePoint> fixed_rays(int grid_bits, std::size_t count);
 
 struct RayHits {
@@ -25,7 +25,7 @@ struct RayHits {
 // Sorts facets along the ray, the nearest first; at equal depth the lower face index first.
 void sort_by_depth(std::vector<FacetId>& facets, const Mesh& mesh, const ProjectedScene& scene, const ImagePoint& ray);
 
-// Per ray, which is on no edge, the indices of the visible polygons around it.
+// Returns, per ray, which is on no edge, the indices of the visible polygons around it.
 [[nodiscard]] std::vector<std::vector<std::size_t>> polygons_around(const View& view,
                                                                     const std::vector<ImagePoint>& rays);
 
