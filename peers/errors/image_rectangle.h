@@ -24,10 +24,10 @@ struct Rectangle {
   [[nodiscard]] bool is_pixel() const { return columns.size() == 1 && rows.size() == 1; }
 };
 
-// Left upper, right upper, left lower, right lower; empty ones where a side has one pixel.
+// Returns the left upper, right upper, left lower and right lower part; they are empty where a side has one pixel.
 [[nodiscard]] std::array<Rectangle, 4> parts_of(const Rectangle& r);
 
-// The corners in the window: counter-clockwise from the left lower one.
+// These are the corners in the window, counter-clockwise from the left lower one.
 using Vertices = std::array<Point2, 4>;
 [[nodiscard]] Vertices vertices_of(const Rectangle& r, int resolution);
 

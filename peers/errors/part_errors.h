@@ -15,7 +15,7 @@ namespace sightline::peers {
 
 [[nodiscard]] AreaErrors errors_of(const VisibleParts& seen, const ExactParts& exact);
 
-// The area that two rings have in common, signed by both their directions.
+// Returns the area that two rings have in common, signed by both their directions.
 [[nodiscard]] double common_area(const std::vector<Point2>& a, const std::vector<Point2>& b);
 
 }  // namespace sightline::peers

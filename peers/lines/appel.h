@@ -32,7 +32,7 @@ namespace sightline::peers {
 
 [[nodiscard]] Peer appel();
 
-// A piece of a line between intersections with active edges.
+// A piece of a line lies between intersections with active edges.
 struct LinePiece {
   std::size_t line = 0;
   double from = 0;  // of the line, 0 to 1

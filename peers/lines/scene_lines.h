@@ -37,7 +37,7 @@ struct SceneLine {
 
 [[nodiscard]] std::vector<SceneLine> scene_lines(const FlatScene& scene);
 
-// Whether the line parts two surfaces: false inside a planar face that was cut into several polygons.
+// Returns whether the line parts two surfaces: false inside a planar face that was cut into several polygons.
 [[nodiscard]] bool parts_surfaces(const Mesh& mesh, const SceneLine& line);
 
 }  // namespace sightline::peers

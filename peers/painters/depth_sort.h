@@ -27,7 +27,7 @@
 
 namespace sightline::peers {
 
-// never: to see what the split is for. P is painted where reversing does not help.
+// With `never` one sees what the split is for: P is painted where reversing does not help.
 enum class Splitting : std::uint8_t { where_needed, never };
 
 struct DepthSorted {

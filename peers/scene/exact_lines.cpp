@@ -8,7 +8,7 @@
 namespace sightline::peers {
 namespace {
 
-// A piece of an edge, its upper point first in the order of the sweep.
+// A piece of an edge has its upper point first in the order of the sweep.
 struct Piece {
   EdgeId edge;
   PointId upper;

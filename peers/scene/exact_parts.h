@@ -1,4 +1,4 @@
-// What is exactly visible, as the peers say it: in the window's coordinates, rounded to double.
+// What is exactly visible is given as the peers say it: in the window's coordinates, rounded to double.
 #pragma once
 
 #include "peers/scene/errors_of_areas.h"
@@ -7,7 +7,7 @@
 
 namespace sightline::peers {
 
-// By face. Polygons below resolution are in it.
+// The parts are sorted by face. Polygons below resolution are in it.
 [[nodiscard]] VisibleParts visible_parts(const ProjectedScene& scene, const VisibleSegments& segments,
                                          const VisiblePolygons& polygons);
 

@@ -29,7 +29,7 @@ struct Corner {
   double depth = 0;
 };
 
-// depth = a x + b y + c: the slides' plane equation, solved for the depth.
+// depth = a x + b y + c is the slides' plane equation, solved for the depth.
 struct DepthPlane {
   double a = 0;
   double b = 0;
@@ -37,7 +37,7 @@ struct DepthPlane {
   [[nodiscard]] double at(double x, double y) const { return (a * x + b * y) + c; }
 };
 
-// The smallest and largest x, y and depth of the corners: the slides' extents.
+// These are the smallest and largest x, y and depth of the corners: the slides' extents.
 struct Extent {
   Corner least;
   Corner most;

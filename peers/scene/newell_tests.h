@@ -22,7 +22,7 @@ struct Surface {
   Extent extent;
 };
 
-// "Every polygon whose z extent overlaps P's": not those that are nearer throughout.
+// Newell takes "every polygon whose z extent overlaps P's": not those that are nearer throughout.
 [[nodiscard]] bool is_nearer_throughout(const Surface& q, const Surface& p);
 
 [[nodiscard]] bool x_extents_apart(const Surface& p, const Surface& q);  // 1

@@ -22,7 +22,7 @@ namespace sightline::peers {
 
 constexpr double touching = 0x1p-39;
 
-// within: no corner is off the plane.
+// `within` says that no corner is off the plane.
 enum class Side : std::uint8_t { nearer, farther, within, across };
 
 [[nodiscard]] Side side_of(const FlatPolygon& polygon, const DepthPlane& plane);

@@ -1,4 +1,5 @@
-// The area of a ring: counter-clockwise positive; 0 for fewer than three corners. Relative to the first corner.
+// The area of a ring is positive where it runs counter-clockwise, and 0 for fewer than three corners. It is computed
+// relative to the first corner.
 #pragma once
 
 #include <vector>

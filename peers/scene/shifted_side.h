@@ -10,7 +10,8 @@
 
 namespace sightline::peers {
 
-// The side of the line from a to b on which p lies when it is moved by the step: +1 to the left, -1 to the right.
+// Returns the side of the line from a to b on which p lies when it is moved by the step: +1 to the left, -1 to the
+// right.
 [[nodiscard]] inline Sign side_of_moved_point(const Point2& a, const Point2& b, const Point2& p) {
   const Sign side = orient2d(a, b, p);
   if (side != 0) return side;
@@ -18,7 +19,7 @@ namespace sightline::peers {
   return b.x > a.x ? 1 : -1;
 }
 
-// The side on which p lies when the line is moved by the step.
+// Returns the side on which p lies when the line is moved by the step.
 [[nodiscard]] inline Sign side_of_moved_line(const Point2& a, const Point2& b, const Point2& p) {
   const Sign side = orient2d(a, b, p);
   return side != 0 ? side : -side_of_moved_point(a, b, p);
