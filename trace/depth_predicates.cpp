@@ -1,4 +1,4 @@
-// The depth of facets: the part of StepPredicates that follows DepthOrder (depth_order.h) through its cases.
+// The depth of facets is a part of StepPredicates; it follows DepthOrder (depth_order.h) through its cases.
 #include "geometry/mesh/facet_plane.h"
 #include "geometry/projection/unfiltered.h"
 #include "trace/step_predicates.h"
@@ -21,7 +21,7 @@ void StepPredicates::add_depth(FacetId f, FacetId g) {
   }
 }
 
-// As DepthOrder: stops as soon as f is known to straddle g's plane.
+// Like DepthOrder, this stops as soon as f is known to straddle g's plane.
 bool StepPredicates::add_corners_against_plane(FacetId f, FacetId g) {
   bool front = false;
   bool behind = false;

@@ -14,7 +14,7 @@ struct ImageSign {
   std::optional<Sign> exact;  // where it differs
 };
 
-// ask: a function of a decisions policy.
+// `ask` is a function of a decisions policy.
 template <class Ask>
 [[nodiscard]] ImageSign image_sign(Arithmetic arithmetic, const Ask& ask) {
   const Sign exact = ask(ExactDecisions{});

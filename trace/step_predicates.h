@@ -32,7 +32,7 @@ class StepPredicates {
  public:
   StepPredicates(const Mesh& mesh, const SweepLog& log, const SceneNames& names);
 
-  // From the nearest to the farthest, as Fang has his node lists; of the facets of a list, with its topmost one.
+  // Sorts the facets of a list, with its topmost one, from the nearest to the farthest, as Fang has his node lists.
   void sort_by_depth(std::vector<FacetId>& facets, FacetId topmost);
 
   [[nodiscard]] std::vector<LoggedPredicate> of(const SweepStep& step, std::span<const LoggedBundle> before,
@@ -49,7 +49,7 @@ class StepPredicates {
   Sign add_direction(EdgeId a, EdgeId b);
   void add_meeting(EdgeId left, EdgeId right);
   void add_depth(FacetId f, FacetId g);
-  // Whether the corners decide.
+  // Returns whether the corners decide.
   bool add_corners_against_plane(FacetId f, FacetId g);
   Sign add_corner_against_plane(VertexId v, FacetId plane);
   void add_verdict(FacetId f, FacetId g, const std::string& decided_by, const std::string& because);

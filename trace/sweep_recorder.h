@@ -22,7 +22,7 @@ class TooManySteps : public Error {
 
 class SweepRecorder : public SweepObserver {
  public:
-  // log: has its scene and names; gets its steps and segments.
+  // `log` has its scene and names, and gets its steps and segments.
   SweepRecorder(const Mesh& mesh, const SceneNames& names, std::size_t most_steps, SweepLog& log);
 
   void at(const SweepPoint& /*point*/) override {}
