@@ -25,14 +25,14 @@ namespace sightline::bench {
 using namespace cli;
 namespace {
 
-// The peak while `work` runs, with all that was there before.
+// Returns the peak while `work` runs, with all that was there before.
 std::size_t peak_of(const std::function<void()>& work) {
   reset_peak();
   work();
   return peak_bytes();
 }
 
-// A camera from a corner of the room, at the middle of the bounding box.
+// The camera looks from a corner of the room at the middle of the bounding box.
 Camera camera_for(const Mesh& mesh) {
   Box box{mesh.vertices.front(), mesh.vertices.front()};
   for (const Point3& p : mesh.vertices) box = hull(box, {p, p});

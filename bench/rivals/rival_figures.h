@@ -35,7 +35,7 @@ class RivalWorks {
   // They refer to this and to the scene.
   [[nodiscard]] std::vector<Work> works() const;
 
-  // Of outcomes in the order of the works.
+  // The outcomes are in the order of the works.
   [[nodiscard]] static RivalFigures figures(std::span<const Outcome> outcomes, const RunLimits& limits);
 
  private:

@@ -41,7 +41,7 @@ struct FamilyResult {
 
 [[nodiscard]] FamilyResult measure_family(const SceneFamily& family, const SideBySideOptions& options);
 
-// Of the rows for CGAL in which it ended the one with the most triangles; null: none.
+// Returns, of the rows for CGAL in which it ended, the one with the most triangles; null where there is none.
 [[nodiscard]] const CgalResult* largest_that_cgal_ends(const FamilyResult& result);
 
 }  // namespace sightline::bench

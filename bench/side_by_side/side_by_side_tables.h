@@ -10,7 +10,7 @@
 
 namespace sightline::bench {
 
-// A heading, the times, the ratios, and the rows for CGAL.
+// Returns a heading, the times, the ratios, and the rows for CGAL.
 [[nodiscard]] std::string family_tables(const FamilyResult& result);
 
 [[nodiscard]] std::string reflection_table(std::size_t triangles, const ReflectionFigures& figures);

@@ -11,7 +11,7 @@ namespace sightline::bench {
 using namespace cli;
 namespace {
 
-// The value of `work`; how long it took goes to the end of `seconds`.
+// Returns the value of `stage`; how long it took goes to the end of `seconds`.
 template <class Stage>
 auto timed(std::vector<double>& seconds, Stage stage) {
   const ProcessorTime watch;

@@ -26,7 +26,8 @@ struct ViewFigures {
 [[nodiscard]] Work view_work(const BenchScene& scene, Arithmetic arithmetic = Arithmetic::exact);
 [[nodiscard]] ViewFigures view_figures(const Outcome& outcome, const RunLimits& limits);
 
-// What a square lamp over a terrain costs, all of which is seen from above: the reflection, and the view without it.
+// These say what a square lamp over a terrain costs, all of which is seen from above: the reflection, and the view
+// without it.
 struct ReflectionFigures {
   Figure reflection;
   Figure visibility;
