@@ -77,7 +77,7 @@ const std::vector<SceneCase> cases{
     {"utf16.toml", 1, "not valid TOML"},
 };
 
-// A folder that is gone afterwards, for files that cannot be kept.
+// The folder is gone afterwards; it is for files that cannot be kept.
 struct Folder : TemporaryFolder {
   std::string mesh = file("triangle.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
 

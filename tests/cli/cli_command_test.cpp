@@ -38,7 +38,7 @@ void check_one_line(const std::string& err) {
   CHECK(err.back() == '\n');
 }
 
-// What may differ between runs.
+// Leaves out what may differ between runs.
 Json without_costs(const std::string& report) {
   Json json = Json::parse(report);
   json.erase("times_s");

@@ -12,17 +12,18 @@
 
 namespace sightline::tests {
 
-// Row by row from the lowest one up, left to right; rounded to the grid where the resolution is no power of two.
+// The rays go row by row from the lowest one up, left to right; they are rounded to the grid where the resolution is no
+// power of two.
 [[nodiscard]] std::vector<ImagePoint> rays_through_centres(const peers::ItemBuffer& buffer, int grid_bits);
 
 [[nodiscard]] peers::ItemBuffer seen_by_rays(const Mesh& mesh, const ProjectedScene& scene, int resolution);
 
-// How many centres an edge of a facet's image passes through exactly.
+// Returns how many centres an edge of a facet's image passes through exactly.
 [[nodiscard]] std::size_t centres_on_edges(const ProjectedScene& scene, int resolution);
 
 [[nodiscard]] int differing_pixels(const peers::ItemBuffer& a, const peers::ItemBuffer& b);
 
-// How many pixels of the two differ although no edge of any facet's image passes within 1e-9 of their centres.
+// Returns how many pixels of the two differ although no edge of any facet's image passes within 1e-9 of their centres.
 [[nodiscard]] int wrong_pixels(const ProjectedScene& scene, const peers::ItemBuffer& buffer,
                                const peers::ItemBuffer& truth);
 

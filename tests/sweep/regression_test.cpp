@@ -93,7 +93,7 @@ TEST_CASE("two planar faces overlap in one plane: the lower index is in front, w
 }
 
 TEST_CASE("a hole in a hole, each with a face in it, is threaded to the right ring") {
-  // Squares of falling size, each nearer, so that every one but the last shows as a frame.
+  // The squares have falling size, each nearer, so that every one but the last shows as a frame.
   RandomScene scene;
   scene.camera = camera_of(Projection::orthographic, {0.125, 0, 0}, {0, 0.125, 0}, {0, 0, -1}, {0, 0, 9});
   for (int k = 0; k < 6; ++k) {
@@ -117,7 +117,7 @@ TEST_CASE("many holes in one face, some touching: each belongs to it, and the ar
   scene.faces = {{0, 1, 2, 3}};
   for (int row = -3; row <= 3; ++row) {
     for (int column = -3; column <= 3; ++column) {
-      // Diamonds that touch their neighbours in a row at the tips.
+      // The diamonds touch their neighbours in a row at the tips.
       const double x = 4 * column;
       const double y = 4 * row;
       const auto first = static_cast<std::uint32_t>(scene.vertices.size());
