@@ -1,4 +1,4 @@
-// Peak memory of each stage of one view, beside the counts it may depend on: a line of CSV per input.
+// This prints the peak memory of each stage of one view, beside the counts it may depend on: a line of CSV per input.
 //
 //     build/release/bench/sightline_memory MODEL.obj...      (without a model: generated scenes)
 //

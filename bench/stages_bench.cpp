@@ -1,4 +1,5 @@
-// The stages of one view on generated scenes, one core: time per stage, and sweep points per second.
+// This runs the stages of one view on generated scenes, on one core: it prints the time per stage, and sweep points per
+// second.
 //
 //     build/release/bench/sightline_bench
 

@@ -1,6 +1,4 @@
-// What was measured, as Markdown tables.
-//
-// In:  results. Out: text. Complexity: O(text). Errors: none.
+// These tables show in Markdown what was measured.
 #pragma once
 
 #include <string>

@@ -1,10 +1,4 @@
-// What one view of a scene costs sightline: time per stage, and memory.
-//
-// In:  a scene, the arithmetic, limits.
-// Out: work to be run in a process of its own, where it finds no memory that an earlier one has left; and of its outcome
-//      the figures, in seconds of processor time. Memory is the peak above what the mesh holds before the first stage, per
-//      facet.
-// Complexity: of the stages. Errors: none; an error of a stage makes the figures `failed`.
+// These figures say what one view of a scene costs sightline: time per stage, and memory.
 #pragma once
 
 #include "bench/measuring/figure.h"

@@ -1,4 +1,4 @@
-// segments.csv: every visible segment, in the sweep's order.
+// segments.csv has every visible segment, in the sweep's order.
 //
 // Columns: face (to the segment's left), start and end in the window [-1, 1]^2 (x right, y up), the mesh edge it lies
 // on as "u-v" (vertex indices from 0, welded, smaller first; "border" where it is the view volume's), and the face that

@@ -56,8 +56,8 @@ void for_each_triangle(const Mesh& mesh, std::span<const FacetId> component, Vis
 // This is a sum of determinants in double. Each is evaluated as predicates.cpp does for orient3d, so its error is at
 // most 8 u times its permanent p as computed, if no difference reaches 2^340, and 2^-700 for underflow. Adding up N of
 // them adds at most N u (1 + 2^-19) times the sum of |determinant| <= (1 + 8 u) p, and the computed sum of the p is at
-// least (1 - 2^-20) of the true one, since N < 2^32 and u = 2^-53. All in all less than 2 (N + 8) u times the computed
-// sum of the p, and N 2^-700 < 2^-660.
+// least (1 - 2^-20) of the true one, since N < 2^32 and u = 2^-53. All in all the error is less than 2 (N + 8) u times
+// the computed sum of the p, and N 2^-700 < 2^-660.
 class VolumeEstimate {
  public:
   void add(const Vector3& u, const Vector3& v, const Vector3& w) {

@@ -77,7 +77,7 @@ void check_edges(const ProjectedScene& scene, Messages& messages) {
   }
 }
 
-// Calls report(key) for every key whose amounts do not add up to zero. O(n log n).
+// Calls report(key) for every key whose amounts do not add up to zero. It takes O(n log n).
 template <class Key, class Report>
 void for_each_imbalance(std::vector<std::pair<Key, std::int64_t>>& amounts, Report report) {
   std::ranges::sort(amounts);

@@ -1,6 +1,7 @@
-// The points of a sweep's result by id, scene points and crossings alike, with exact predicates behind a filter.
+// The points of a sweep's result, scene points and crossings alike, are found by id, with exact predicates behind a
+// filter.
 //
-// Sizes: a crossing is base + offset / denominator, so as a homogeneous point |X|, |Y| <= 2^125 and D <= 2^83
+// A crossing is base + offset / denominator, so as a homogeneous point |X|, |Y| <= 2^125 and D <= 2^83
 // (crossing_point.h); the orientation of three crossings is a 3 x 3 determinant below 3 * 2^(125 + 125 + 83 + 1) <
 // 2^336: 512 bits do.
 #pragma once

@@ -1,4 +1,5 @@
-// Scene files that are none, and cameras that are none, through the command: exit code 1, one line, nothing written.
+// Scene files that are none, and cameras that are none, go through the command: it gives exit code 1 and one line, and
+// writes nothing.
 #include <doctest/doctest.h>
 #include <sys/stat.h>
 #include <unistd.h>

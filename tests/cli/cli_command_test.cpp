@@ -1,4 +1,4 @@
-// The built command from outside: exit codes, what it prints, what it writes.
+// The built command is tested from outside: exit codes, what it prints, what it writes.
 #include <doctest/doctest.h>
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-// report.html: its data, what it leaves out, and when the command writes it. Browsers look at it in tests/browser.
+// This tests report.html: its data, what it leaves out, and when the command writes it. Browsers look at it in
+// tests/browser.
 #include <doctest/doctest.h>
 #include <zlib.h>
 

@@ -1,4 +1,4 @@
-// `sightline trace` as a command: its log and page, and what it refuses.
+// `sightline trace` is tested as a command: its log and page, and what it refuses.
 #include <doctest/doctest.h>
 
 #include <fmt/format.h>

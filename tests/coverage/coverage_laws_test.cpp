@@ -1,4 +1,4 @@
-// Coverage on random scenes: its laws, and random points of the surface.
+// Coverage is tested on random scenes by its laws and by random points of the surface.
 #include <doctest/doctest.h>
 
 #include <algorithm>

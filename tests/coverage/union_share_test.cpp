@@ -1,4 +1,4 @@
-// The union of triangles on a surface: by hand, and what must not matter to it.
+// The union of triangles on a surface is tested by hand, and by what must not matter to it.
 #include "coverage/union_share.h"
 
 #include <doctest/doctest.h>

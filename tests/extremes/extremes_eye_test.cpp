@@ -1,4 +1,4 @@
-// Extreme scenes in which the eye is in a special place, or the view volume is extreme.
+// In these extreme scenes the eye is in a special place, or the view volume is extreme.
 #include <doctest/doctest.h>
 
 #include "tests/extremes/checked_scene.h"

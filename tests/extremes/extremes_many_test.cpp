@@ -1,4 +1,4 @@
-// Extreme scenes of many faces: what is seen is known by a formula.
+// These extreme scenes have many faces: what is seen is known by a formula.
 #include <doctest/doctest.h>
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Extreme scenes of extreme numbers, and scenes that show one face or none.
+// These extreme scenes have extreme numbers, or show one face or none.
 #include <doctest/doctest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Extreme scenes of faces that touch, coincide, are thin or are seen edge-on.
+// In these extreme scenes faces touch, coincide, are thin or are seen edge-on.
 #include <doctest/doctest.h>
 
 #include <algorithm>

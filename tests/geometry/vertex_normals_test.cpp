@@ -1,4 +1,4 @@
-// Normals: as files give them, and as means.
+// Normals come as files give them, and as means.
 #include <doctest/doctest.h>
 
 #include <cmath>

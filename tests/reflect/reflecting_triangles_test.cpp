@@ -1,4 +1,4 @@
-// Koucky's test per triangle, and what it misses.
+// This tests Koucky's test per triangle, and what it misses.
 #include <doctest/doctest.h>
 
 #include <cmath>

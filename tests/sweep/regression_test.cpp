@@ -1,5 +1,5 @@
-// Scenes that once went wrong, each reduced and named by its shape; and scenes whose faces interpenetrate, where depth
-// is no order: the answer may be either face, but the structure must hold.
+// These scenes once went wrong, and each is reduced and named by its shape; in others faces interpenetrate, where depth
+// is no order: there the answer may be either face, but the structure must hold.
 #include <doctest/doctest.h>
 
 #include <algorithm>

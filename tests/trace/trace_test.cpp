@@ -1,5 +1,5 @@
-// The sweep written down step by step: Fang's tables row by row, the golden log, what holds in every log, and the built-in
-// scenes, which have the degeneracies that they are called by.
+// The sweep is written down step by step. This tests Fang's tables row by row, the golden log, what holds in every log,
+// and the built-in scenes, which have the degeneracies that they are called by.
 #include <doctest/doctest.h>
 
 #include <algorithm>
