@@ -1,7 +1,8 @@
 // The borders of reflecting polygons as visible segments, ready for reconstruction and labelling.
 //
 // In:  the merged scene, and the numbered pieces of each surface's border.
-// Out: segments in sweep order with the threads from their holes (Fang 5.3), and the places where they split mesh edges.
+// Out: segments in sweep order with the threads from their holes (Fang 5.3), and the places where they split mesh
+//      edges.
 // Complexity: O(m log m), and O(m) more per hole, for m pieces.
 #pragma once
 

@@ -21,9 +21,9 @@ namespace {
 constexpr int highest_level = 11;
 constexpr std::size_t most_samples = 1 << 16;
 
-// Cells are as fine as so many pairs of a facet and a cell in its bounding box allow, per facet in view: contour edges then
-// touch few of them, and looking at all pairs still costs little. Where nothing continues, all is contour, and fine cells
-// have to find what can be left out.
+// Cells are as fine as so many pairs of a facet and a cell in its bounding box allow, per facet in view: contour edges
+// then touch few of them, and looking at all pairs still costs little. Where nothing continues, all is contour, and
+// fine cells have to find what can be left out.
 constexpr double pairs_of_surface_facet = 6;
 constexpr double pairs_of_lone_facet = 40;
 

@@ -3,9 +3,9 @@
 // In:  as the sweep (sweep.h), and which engine.
 // Out: the same VisibleSegments from both, but for the statistics, which count what was swept.
 //   - full: the sweep of all facets in view.
-//   - fast: facets that covers hide are left out; those that nothing else comes near are seen whole; the others are swept,
-//     in bands of the image, by all threads of the calling task arena (oneTBB). It needs exact arithmetic; without, all is
-//     swept.
+//   - fast: facets that covers hide are left out; those that nothing else comes near are seen whole; the others are
+//     swept, in bands of the image, by all threads of the calling task arena (oneTBB). It needs exact arithmetic;
+//     without, all is swept.
 // An observer is called for all bands, by one thread at a time, and sees their points in no order of its own.
 // Complexity: O(n log n), the pairs of a facet and a cell that it touches, and the sweep of what is left.
 // Errors: as the sweep.

@@ -9,8 +9,8 @@
 //                as a side, whether they cross;
 //   - depth:     for facets that are new neighbours in a node list, which is in front.
 // They are decided again here, by the functions that the sweep calls (image_decisions.h, crossing_point.h,
-// predicates.h, depth_ranges.h), tier by tier. So a sweep that is not traced pays nothing, and its counts are its
-// own. It asks for other sides on its way through the active edge list, and for fewer depths: only what is topmost counts.
+// predicates.h, depth_ranges.h), tier by tier. So a sweep that is not traced pays nothing, and its counts are its own.
+// It asks for other sides on its way through the active edge list, and for fewer depths: only what is topmost counts.
 // decided_by: integers (exact by their size, there is no filter), filter (double, with a proven bound), exact
 //      (integers of any size, where the filter did not decide), ranges (depths that do not overlap), rule (no
 //      arithmetic), float, double.

@@ -1,9 +1,10 @@
 // Measuring a family of scenes.
 //
 // In:  a family, options.
-// Out: a row of figures per scene, and for CGAL rows without the scenes that are too large for it to end within the limit.
-// Complexity: of what is measured. Errors: those of making the scenes, std::runtime_error where a file for a rival cannot
-//      be written.
+// Out: a row of figures per scene, and for CGAL rows without the scenes that are too large for it to end within the
+//      limit.
+// Complexity: of what is measured. Errors: those of making the scenes, std::runtime_error where a file for a rival
+//      cannot be written.
 #pragma once
 
 #include <string>

@@ -204,11 +204,11 @@ void StatementParser::check_forward_references() const {
 
 }  // namespace
 
-// Measured with sightline_memory (bench/memory_bench.cpp) on generated surfaces of 10^4 and 10^5 triangles and on meshes
-// of public collections: what reading, building, looking for contacts and projecting held at once was at most 130 bytes
-// per corner of a facet, vertices included, where facets share vertices, and 260 where none do. A face of k corners makes
-// at most k - 2 triangles. The rest are upper bounds from what is kept: per vertex its position twice over while the list
-// grows, its sorting and welding; per face its bookkeeping.
+// Measured with sightline_memory (bench/memory_bench.cpp) on generated surfaces of 10^4 and 10^5 triangles and on
+// meshes of public collections: what reading, building, looking for contacts and projecting held at once was at most
+// 130 bytes per corner of a facet, vertices included, where facets share vertices, and 260 where none do. A face of k
+// corners makes at most k - 2 triangles. The rest are upper bounds from what is kept: per vertex its position twice
+// over while the list grows, its sorting and welding; per face its bookkeeping.
 std::uint64_t memory_for_mesh(std::uint64_t vertices, std::uint64_t corners, std::uint64_t faces) {
   const std::uint64_t of_triangles = 3 * (corners - std::min(corners, 2 * faces));
   return (std::uint64_t{8} << 20) + 96 * vertices + 160 * std::max(corners, of_triangles) + 64 * faces;

@@ -1,8 +1,9 @@
 // Facets that pass through each other, cut along their common lines.
 //
 // In:  a mesh and its contacts (interpenetration.h).
-// Out: a mesh with the same faces whose facets no longer pass through each other, so that any two have one order in depth
-//      wherever they overlap. Where nothing crosses it is the mesh as given. What it was cut from is in Mesh::cuts.
+// Out: a mesh with the same faces whose facets no longer pass through each other, so that any two have one order in
+//      depth wherever they overlap. Where nothing crosses it is the mesh as given. What it was cut from is in
+//      Mesh::cuts.
 // Holds: faces and the input's vertices keep their numbers; the vertices that cutting makes follow them. What cuts a
 //      mesh edge cuts it for all facets on it; what cuts a common line cuts it for both facets that meet there: no
 //      vertex lies inside an edge that runs along the line it was made on.

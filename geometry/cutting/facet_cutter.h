@@ -1,8 +1,8 @@
 // One facet cut where others pass through it, so that no piece is passed through.
 //
 // In:  a facet and its cutters: the plane of each facet that crosses it, and the chord in which the two meet.
-// Out: the pieces: convex, in the facet's orientation, together the facet; no chord has more than a border of a piece in
-//      common with it. Exact.
+// Out: the pieces: convex, in the facet's orientation, together the facet; no chord has more than a border of a piece
+//      in common with it. Exact.
 // Method: a binary space partition. A piece that a chord enters is cut all along the cutter's plane, beyond the chord's
 // ends too: so that a piece is convex and has one order in depth with the cutter. The pieces are those of the order in
 // which the cutters are given.

@@ -2,8 +2,8 @@
 //
 // In:  the edges of pieces, each on a mesh edge or on a common line.
 // Out: per line its points in order, so that every piece can take those inside its own edges as corners.
-// A common line is known by its exact Plücker coordinates: pieces of different facets that lie on one line of space share
-// its points, whichever planes they were cut by.
+// A common line is known by its exact Plücker coordinates: pieces of different facets that lie on one line of space
+// share its points, whichever planes they were cut by.
 // Complexity: O(m log m) for m edges.
 #pragma once
 

@@ -2,9 +2,9 @@
 //
 // A position is (x, y, z) / w in integers of any size, in lowest terms with w > 0: equal points have equal numbers. A
 // plane is a form (a, b, c, d) that is positive on its front side. Both come from finite doubles.
-// Complexity: the numbers of a point that lies in three planes of the input have about 10 times the bits that the input's
-// coordinates have as integers over a common power of two; a greatest common divisor after each construction keeps them
-// there.
+// Complexity: the numbers of a point that lies in three planes of the input have about 10 times the bits that the
+// input's coordinates have as integers over a common power of two; a greatest common divisor after each construction
+// keeps them there.
 #pragma once
 
 #include "geometry/numbers/exact_integer.h"

@@ -1,7 +1,7 @@
 // Items by group: a counting sort on all threads.
 //
-// In:  how many groups; for_each(visit), which calls visit(group, item) for each item, and for the same ones whenever it is
-//      called, from any threads.
+// In:  how many groups; for_each(visit), which calls visit(group, item) for each item, and for the same ones whenever
+//      it is called, from any threads.
 // Out: the items of each group next to each other, in an order that the threads decide: whoever needs one sorts them.
 // Complexity: O(groups + items).
 #pragma once

@@ -1,8 +1,8 @@
 // Projection and predicates by plain evaluation in float or double: no filter, no error bound, nothing exact behind it.
 //
 // In:  finite doubles of any size, rounded to the type first. Out: what the formula gives in it, right or wrong.
-// Holds: every call ends, and no value is out of range whatever over- or underflows: a sign of what is no number is 0, a
-//      place is in the window.
+// Holds: every call ends, and no value is out of range whatever over- or underflows: a sign of what is no number is 0,
+//      a place is in the window.
 // Complexity: O(1).
 // Errors: ArithmeticError from image_point, where a vertex has no place.
 #pragma once

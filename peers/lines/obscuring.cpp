@@ -33,8 +33,8 @@ bool is_above(const SceneLine& line, const Point2& p, const Point2& c) {
   return line.to.place.y >= line.from.place.y;
 }
 
-// Outside, a ray from p to the left meets as many edges that run downwards as upwards. Polygons are convex up to the grid
-// only, where corners are straight, so it is not enough to be left of each edge.
+// Outside, a ray from p to the left meets as many edges that run downwards as upwards. Polygons are convex up to the
+// grid only, where corners are straight, so it is not enough to be left of each edge.
 bool covers(const FlatPolygon& polygon, const SceneLine& line, const Point2& p) {
   int winding = 0;
   for (std::size_t i = 0; i < polygon.corners.size(); ++i) {

@@ -47,8 +47,8 @@ void EdgePoints::find_in_view(const Mesh& mesh, const ProjectedScene& scene, con
   }
 }
 
-// A facet runs along its edges from corner to corner; clipping keeps that direction. Nothing is in view of an edge that only
-// touches the view volume.
+// A facet runs along its edges from corner to corner; clipping keeps that direction. Nothing is in view of an edge that
+// only touches the view volume.
 EdgePoints::InView EdgePoints::in_view_of(const Mesh& mesh, const ProjectedScene& scene, MeshEdgeId edge,
                                           FacetId facet) {
   const auto polygon = scene.polygon(facet);

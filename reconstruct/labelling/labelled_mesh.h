@@ -10,8 +10,8 @@
 //     with two triangles each; closed in, closed out;
 //   - skipped faces have no triangle.
 // Complexity: O(n log n) plus a constrained Delaunay triangulation per face that is seen in part.
-// Errors: InternalError; in float and double ArithmeticError instead, also where `validate` complains of the segments or
-// polygons.
+// Errors: InternalError; in float and double ArithmeticError instead, also where `validate` complains of the segments
+// or polygons.
 // Source: Koucky 2014, 3.8 (retriangulation, no points that only a hidden part needs).
 #pragma once
 

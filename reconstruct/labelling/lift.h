@@ -16,8 +16,8 @@
 
 namespace sightline::inline reconstruct {
 
-// p lies strictly between the images of a and b, on the edge that joins them. Which of its ends is a matters for the last
-// bits: the mesh edge says it, not the face.
+// p lies strictly between the images of a and b, on the edge that joins them. Which of its ends is a matters for the
+// last bits: the mesh edge says it, not the face.
 [[nodiscard]] Point3 lift_on_edge(const Mesh& mesh, const ProjectedScene& scene, const ImagePoints& points,
                                   const ClippedCorner& a, const ClippedCorner& b, PointId p);
 

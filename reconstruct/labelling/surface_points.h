@@ -1,8 +1,9 @@
 // The points of one surface, as the constrained Delaunay triangulation wants them.
 //
 // In:  image points with the vertices that lie there, and the surface's plane.
-// Out: PlanarPoints in sweep order. Their orientation is that of the image, exact. Which of two triangulations is better
-//      is judged in the surface's own plane, by an exact in-circle test on rounded coordinates: it only chooses shapes.
+// Out: PlanarPoints in sweep order. Their orientation is that of the image, exact. Which of two triangulations is
+//      better is judged in the surface's own plane, by an exact in-circle test on rounded coordinates: it only chooses
+//      shapes.
 // Holds (after sort): points are distinct; of several vertices at one point, the lowest stands for all.
 #pragma once
 

@@ -1,16 +1,16 @@
 // Arithmetic on balls: numbers known up to a radius, by which a cheap test can prove its answer.
 //
-// Holds: |true value - middle| <= radius, for sums, differences, products and quotients of balls for which it holds. Where
-// nothing is known (an overflow, infinity minus infinity) the radius is infinite or one of both is no number, and no
-// comparison holds.
+// Holds: |true value - middle| <= radius, for sums, differences, products and quotients of balls for which it holds.
+// Where nothing is known (an overflow, infinity minus infinity) the radius is infinite or one of both is no number, and
+// no comparison holds.
 //
-// Derivation, with u = 2^-53 and every operation rounded to nearest. A sum m = fl(a + b) is off by at most u |m|, a product
-// by at most u |m| + 2^-1075, beside what the radii let through: ra + rb, and |a| rb + |b| ra + ra rb. Twice u |m| is
-// written 2^-52 |m|. The radius is itself computed from numbers that are not negative, with at most five roundings, the
-// last by `widened`: its sum can come out too small by a factor of (1 - u)^5, and by 2^-1075 for each of three products.
-// Widening by 1 + 8 u and adding 2^-1070 covers both.
-// Rejected: intervals with ends moved outwards. Four products and their minimum, for each product, took most of the time
-// of a pyramid.
+// Derivation, with u = 2^-53 and every operation rounded to nearest. A sum m = fl(a + b) is off by at most u |m|, a
+// product by at most u |m| + 2^-1075, beside what the radii let through: ra + rb, and |a| rb + |b| ra + ra rb. Twice u
+// |m| is written 2^-52 |m|. The radius is itself computed from numbers that are not negative, with at most five
+// roundings, the last by `widened`: its sum can come out too small by a factor of (1 - u)^5, and by 2^-1075 for each of
+// three products. Widening by 1 + 8 u and adding 2^-1070 covers both.
+// Rejected: intervals with ends moved outwards. Four products and their minimum, for each product, took most of the
+// time of a pyramid.
 #pragma once
 
 #include <algorithm>

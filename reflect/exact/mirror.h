@@ -3,13 +3,13 @@
 // In:  a surface in view (a planar face, or a facet), its visible polygons, the panels and what may be in the way.
 // Out: per visible polygon and panel the border of the part that mirrors the panel into the camera. Exact in the image:
 //      rounded are only the image points of panels and obstacles in the mirror, once, to the grid.
-// Method: the panel as the camera sees it in the mirror (mirror_view.h), without what obstacles hide (lit_region.h), and
-//      of that what lies in the visible polygon (overlay.h). An obstacle hides a panel where it is before the panel's
-//      plane, seen from the mirror camera; other panels are obstacles, with both sides. Most polygons are done with when
-//      their pyramid misses the panel, most others when it has no obstacle in it (pyramid.h).
-// Source: Koucky 2014, 3.9 and figures 3.9 and 3.10. Departures: his obstacle test asks for vertices inside the pyramid,
-//      and a triangle reflects wholly or not at all; here an obstacle is whatever reaches into the pyramid, and the
-//      reflecting part is cut out.
+// Method: the panel as the camera sees it in the mirror (mirror_view.h), without what obstacles hide (lit_region.h),
+//      and of that what lies in the visible polygon (overlay.h). An obstacle hides a panel where it is before the
+//      panel's plane, seen from the mirror camera; other panels are obstacles, with both sides. Most polygons are done
+//      with when their pyramid misses the panel, most others when it has no obstacle in it (pyramid.h).
+// Source: Koucky 2014, 3.9 and figures 3.9 and 3.10. Departures: his obstacle test asks for vertices inside the
+//      pyramid, and a triangle reflects wholly or not at all; here an obstacle is whatever reaches into the pyramid,
+//      and the reflecting part is cut out.
 #pragma once
 
 #include <map>

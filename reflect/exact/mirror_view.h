@@ -1,13 +1,13 @@
 // What a camera sees in a flat mirror, exactly.
 //
-// The mirror camera (Koucky's C_r) is the camera's mirror image in the mirror's plane. What it sees through the mirror is
-// what the camera sees in it, at the same places of the image: the mirror's own points are their own mirror images. So
-// a point of space has the image that the camera gives its mirror image. No mirror image is computed: the camera's
+// The mirror camera (Koucky's C_r) is the camera's mirror image in the mirror's plane. What it sees through the mirror
+// is what the camera sees in it, at the same places of the image: the mirror's own points are their own mirror images.
+// So a point of space has the image that the camera gives its mirror image. No mirror image is computed: the camera's
 // linear forms, composed with the reflection, are forms on the points themselves, with integer coefficients.
 //
 // In:  the camera, and a plane that has its eye strictly in front.
-// Out: images of convex polygons: of what lies in front of the mirror and is seen in the window, rounded once to the grid
-//      like every image point. Convex but for that rounding; empty where there is none.
+// Out: images of convex polygons: of what lies in front of the mirror and is seen in the window, rounded once to the
+//      grid like every image point. Convex but for that rounding; empty where there is none.
 // Complexity: O(k) integer operations for k corners.
 // Source: Koucky 2014, 3.9, figure 3.9.
 #pragma once

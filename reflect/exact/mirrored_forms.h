@@ -1,9 +1,9 @@
 // A mirror's plane, and the camera's forms on what is seen in it, as balls: the filter before mirror_view.h.
 //
 // In:  a camera; three points of a plane that has the camera's eye in front.
-// Out: forms of a point of space: `mirror`, its height over the mirror, up to a positive factor; x, y and w, what the camera
-//      gives its mirror image. On which side of a plane the mirror camera is, and the image of a convex polygon, where
-//      balls suffice to tell.
+// Out: forms of a point of space: `mirror`, its height over the mirror, up to a positive factor; x, y and w, what the
+//      camera gives its mirror image. On which side of a plane the mirror camera is, and the image of a convex polygon,
+//      where balls suffice to tell.
 // Holds: every coefficient's ball holds the true one; a side or an image is what MirrorView says, number for number.
 // Complexity: O(1), and O(k) for k corners.
 #pragma once
@@ -36,8 +36,8 @@ struct MirroredForms {
 [[nodiscard]] std::optional<Sign> certain_side_of_centre(const MirroredForms& forms, const Camera& camera,
                                                          const BallForm& plane);
 
-// The image is empty where it is not certain on which side of the mirror or of the window's bounds a corner is, or which
-// grid point is its image. Corners of the mirror's own, `plane`, are known to be in its plane.
+// The image is empty where it is not certain on which side of the mirror or of the window's bounds a corner is, or
+// which grid point is its image. Corners of the mirror's own, `plane`, are known to be in its plane.
 [[nodiscard]] std::optional<ImagePolygon> certain_image(const MirroredForms& forms, const Camera& camera,
                                                         std::span<const Point3> corners, int grid_bits);
 

@@ -1,7 +1,8 @@
 // Which pieces of a border may be met at a height of the image.
 //
 // In:  directed pieces of a border. Out: per height, or range of heights, the pieces that reach it, and some more.
-// Method: bands of equal height; a piece is in all that it touches, widened by a spacing, so that approximate places do.
+// Method: bands of equal height; a piece is in all that it touches, widened by a spacing, so that approximate places
+//      do.
 // Complexity: O(n + k) for n pieces that touch k bands together; there are no more than n bands.
 #pragma once
 

@@ -1,6 +1,7 @@
 // A polygon of the image against squares, in floating point: may they have a border in common?
 //
-// In:  the polygon's border. Out: whether a square is certainly outside, certainly inside, or perhaps across the border.
+// In:  the polygon's border. Out: whether a square is certainly outside, certainly inside, or perhaps across the
+//      border.
 // Complexity: O(n) per square for n pieces.
 #pragma once
 

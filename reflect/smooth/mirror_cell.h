@@ -1,8 +1,9 @@
 // A square of the image, small enough that between its corners a bent mirror is taken as linear; and what it reflects.
 //
 // In:  a square on the grid, the mirrored rays through its corners; convex polygons of space in front of the mirror.
-// Out: what of the square mirrors a polygon into the camera, in two convex polygons of the image, one per half of the square
-//      (linear_part.h says how far they reach beyond it). Empty where that is beyond the outline of what is looked at.
+// Out: what of the square mirrors a polygon into the camera, in two convex polygons of the image, one per half of the
+//      square (linear_part.h says how far they reach beyond it). Empty where that is beyond the outline of what is
+//      looked at.
 // Method: a ray meets a convex polygon where it passes all its edges on the same side. On which side is the sign of a
 //      number, known at the corners and linear between them: for a flat mirror exactly so.
 // Units: positions are those of the input times the world's scale.

@@ -2,7 +2,8 @@
 //
 // In:  a surface in view (a planar face, or a facet), the normals at the corners of its face (vertex_normals.h).
 // Out: the normal at a point of its plane: in barycentric coordinates of the surface's triangle in which the point is;
-//      beyond the surface, of the triangle nearest by these coordinates, as far as the triangle is large, then constant.
+//      beyond the surface, of the triangle nearest by these coordinates, as far as the triangle is large, then
+//      constant.
 // Floating point. Complexity: O(k) per point for k corners.
 // Source: Koucky 2014, 3.9 (vertex normals); Phong's interpolation.
 #pragma once

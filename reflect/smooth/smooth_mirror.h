@@ -5,11 +5,12 @@
 //      tolerance: a model of the smooth surface that the mesh stands for. A flat mirror's is that of mirror.h, but for
 //      rounding.
 // Method: squares of the image that the polygon reaches, halved until dividing them once more changes the area of the
-//      polygon that reflects in them by no more than the tolerance (a share of their own area). In each, rays are traced at its corners, and
-//      what they do is taken as linear in between (mirror_cell.h): what meets the panel is cut out, and so is what
-//      obstacles before it hide. A ray starts on the flat face, and what does not rise from it is blocked by it.
-// Floating point, but for putting the parts together, which is exact (overlay.h): whatever the rounding, the borders are
-// those of a part of the polygon.
+//      polygon that reflects in them by no more than the tolerance (a share of their own area). In each, rays are
+//      traced at its corners, and what they do is taken as linear in between (mirror_cell.h): what meets the panel is
+//      cut out, and so is what obstacles before it hide. A ray starts on the flat face, and what does not rise from it
+//      is blocked by it.
+// Floating point, but for putting the parts together, which is exact (overlay.h): whatever the rounding, the borders
+// are those of a part of the polygon.
 // Complexity: O(1) per square and panel, and obstacle in its way.
 // Source: Koucky 2014, 3.9 (vertex normals). He has a yes or no per triangle; cutting within it is this project's.
 #pragma once

@@ -2,12 +2,12 @@
 //
 // In:  roles of facets and their cells; how many bands.
 // Out: per open facet its band; per band the facets that its sweep has to know.
-// Holds: the facets of one surface are in one band. A band's sweep knows all facets that may be seen in the cells which the
-//      band's open facets touch, so what it says of these is right, and nothing has to be joined at the bands' borders:
-//      a facet that reaches into several bands is swept whole in one.
+// Holds: the facets of one surface are in one band. A band's sweep knows all facets that may be seen in the cells which
+//      the band's open facets touch, so what it says of these is right, and nothing has to be joined at the bands'
+//      borders: a facet that reaches into several bands is swept whole in one.
 // Complexity: O(n) and the cells that facets touch.
-// Source: docs/how-it-works.md, "Bands". Rejected: sweeps that start at a line from the edges that cross it; what is open
-// there has to be found first, and segments that cross the line have to be joined.
+// Source: docs/how-it-works.md, "Bands". Rejected: sweeps that start at a line from the edges that cross it; what is
+// open there has to be found first, and segments that cross the line have to be joined.
 #pragma once
 
 #include <vector>

@@ -1,8 +1,8 @@
 // The crossings that several bands have found, each once.
 //
 // In:  those that what is used of the bands has as its points, in the whole's edges.
-// Out: all of them in sweep order, and their names among the whole's points. Where several bands name a crossing, they give
-//      it the same name (segment_recorder.h).
+// Out: all of them in sweep order, and their names among the whole's points. Where several bands name a crossing, they
+//      give it the same name (segment_recorder.h).
 // Complexity: O(n log n); name: O(log n).
 #pragma once
 

@@ -1,7 +1,7 @@
 // Where visible segments open: the order in which a sweep of the whole would have found them.
 //
-// In:  the segments of bands' sweeps, in the whole's points, and the scene with the roles of its facets: along the edges of
-//      plain ones, segments open that no sweep has found.
+// In:  the segments of bands' sweeps, in the whole's points, and the scene with the roles of its facets: along the
+//      edges of plain ones, segments open that no sweep has found.
 // Out: what opens at a row of the scene's points, and at crossings before each of them, from left to right.
 // Complexity: O(n log n) in what opens.
 #pragma once

@@ -96,8 +96,8 @@ class PartBuilder {
   ScenePart part_;
 };
 
-// Gives the points of a part's sweep their ids in the whole. A vertex that the part does not have may lie where edges of
-// it cross: then the crossing is that vertex.
+// Gives the points of a part's sweep their ids in the whole. A vertex that the part does not have may lie where edges
+// of it cross: then the crossing is that vertex.
 class PointNames {
  public:
   PointNames(const ProjectedScene& whole, const ScenePart& part, std::vector<Crossing>& crossings)

@@ -1,7 +1,7 @@
 // The facets of each cell, where a cell can have a cover.
 //
-// In:  the cells of each facet. Out: per cell how many facets may be over its centre, up to two; and the facets that touch
-//      those with two, in no order: where there are fewer, no second sheet is looked for.
+// In:  the cells of each facet. Out: per cell how many facets may be over its centre, up to two; and the facets that
+//      touch those with two, in no order: where there are fewer, no second sheet is looked for.
 // Complexity: O(n) in facets and their cells.
 #pragma once
 

@@ -1,6 +1,7 @@
 // What the sweep has to look at.
 //
-// In:  a mesh, its projected scene, where the surface continues, what covers hide, a grid of cells and the cells of facets.
+// In:  a mesh, its projected scene, where the surface continues, what covers hide, a grid of cells and the cells of
+//      facets.
 // Out: per facet its role.
 // Holds: in the cells that a plain facet touches there is one sheet of facets that may be seen, and no contour edge of
 //      these; so all of it is seen, and its neighbours are seen along its edges.

@@ -2,8 +2,8 @@
 //
 // Vertices are sorted once, as the scene's points; crossings wait in a heap. All that coincides, exactly, is one
 // sweep point.
-// A crossing waits as its height, rounded, and its two edges: most comparisons need no more than heights, and the others
-// compute the place anew.
+// A crossing waits as its height, rounded, and its two edges: most comparisons need no more than heights, and the
+// others compute the place anew.
 // Complexity: O(log k) per crossing, O(1) per vertex.
 // Source: Fang 1993, appendix B (the priority queue and DeleteSameSPs).
 #pragma once

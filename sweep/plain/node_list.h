@@ -1,15 +1,15 @@
 // The node list: the facets over one span of the sweep line, and which of them is the topmost (Fang 5.3.1).
 //
-// Holds: no facet twice, no winding number 0. Right of a bundle = left of it, minus the facets that leave, plus those that
-// enter. The topmost facet depends on the facets in the list alone, not on the way that led to them.
-// The topmost facet is the one that is nearer than all others. Where facets overlap in the rounded image only, DepthOrder
-// need not be transitive, and there may be none. In general, therefore: in range are the facets that are not deeper than
-// all of another one; their top cycle is the smallest set of them each of which is nearer than all that are not in it; the
-// topmost facet is the one with the lowest index in the top cycle. So what is behind all of the top cycle, or deeper than
-// all of another facet, may be missing (covers.h).
-// Departure from Fang, who keeps the list sorted by depth: here it is sorted by where the facets' depths begin, which takes
-// no predicates, and the topmost one is kept. A facet that enters is compared with that one alone, and most lists are never asked
-// for more.
+// Holds: no facet twice, no winding number 0. Right of a bundle = left of it, minus the facets that leave, plus those
+// that enter. The topmost facet depends on the facets in the list alone, not on the way that led to them.
+// The topmost facet is the one that is nearer than all others. Where facets overlap in the rounded image only,
+// DepthOrder need not be transitive, and there may be none. In general, therefore: in range are the facets that are not
+// deeper than all of another one; their top cycle is the smallest set of them each of which is nearer than all that are
+// not in it; the topmost facet is the one with the lowest index in the top cycle. So what is behind all of the top
+// cycle, or deeper than all of another facet, may be missing (covers.h).
+// Departure from Fang, who keeps the list sorted by depth: here it is sorted by where the facets' depths begin, which
+// takes no predicates, and the topmost one is kept. A facet that enters is compared with that one alone, and most lists
+// are never asked for more.
 #pragma once
 
 #include <boost/container/small_vector.hpp>

@@ -140,8 +140,8 @@ class Sweep : private SweepState {
     });
   }
 
-  // The entries of the bundles above are used again for those below: the last one for the last, since the list right of it
-  // stays.
+  // The entries of the bundles above are used again for those below: the last one for the last, since the list right of
+  // it stays.
   void replace_in_active_list() {
     below_.clear();
     BundleId left = left_neighbour_;

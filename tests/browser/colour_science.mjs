@@ -5,8 +5,8 @@ const toGamma = (c) => (c <= 0.0031308 ? 12.92 * c : 1.055 * c ** (1 / 2.4) - 0.
 const times = (matrix, v) => matrix.map((row) => row.reduce((sum, value, i) => sum + value * v[i], 0));
 const clamped = (v) => v.map((c) => Math.min(1, Math.max(0, c)));
 
-// The matrices are of Machado, Oliveira and Fernandes, "A physiologically-based model for simulation of color vision deficiency", 2009: severity
-// 1.0, on linear values.
+// The matrices are of Machado, Oliveira and Fernandes, "A physiologically-based model for simulation of color vision
+// deficiency", 2009: severity 1.0, on linear values.
 export const eyes = {
   usual: [[1, 0, 0], [0, 1, 0], [0, 0, 1]],
   protanopia: [

@@ -2,7 +2,8 @@
 import assert from "node:assert/strict";
 import { contrast } from "./colour_science.mjs";
 
-// Collects in the page each element with a text of its own, its colour, and the colours of what is behind it, nearest first.
+// Collects in the page each element with a text of its own, its colour, and the colours of what is behind it, nearest
+// first.
 function textsAndColours() {
   const texts = [];
   for (const element of document.querySelectorAll("body *")) {

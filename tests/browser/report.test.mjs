@@ -52,7 +52,8 @@ test("says what the cameras cover together, as coverage.csv does", () =>
       assert.ok(Math.abs(Number(cells[cell]) - Number(together[column])) <= 1e-5 * Number(together[column]));
   }));
 
-// Fang's window is the square from (0, 0) to (16, 16). The places are the pentagon's middle and one of the triangle beside.
+// Fang's window is the square from (0, 0) to (16, 16). The places are the pentagon's middle and one of the triangle
+// beside.
 const fangPlaces = [{ face: 0, at: [5, 7] }, { face: 1, at: [9, 6] }];
 const inShares = ([x, y]) => [x / 16, 1 - y / 16];
 
@@ -82,7 +83,8 @@ test("a click in the image shows the face's row, and marks its polygon there and
     }
   }));
 
-// A little inside each of the triangle's corners there is surface, a little outside there is none; this is true of this view only.
+// A little inside each of the triangle's corners there is surface, a little outside there is none; this is true of this
+// view only.
 test("through the camera the surface is where the camera sees it", () =>
   onFang(async (page) => {
     await page.click("#look");

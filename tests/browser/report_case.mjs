@@ -21,7 +21,8 @@ export function cornerOf(triangle, corner, share) {
   return centre.map((c, i) => c + share * (corner[i] - c));
 }
 
-// Returns the colours of the canvas in 3D, [r, g, b], at places in shares of the window that is looked through, over white.
+// Returns the colours of the canvas in 3D, [r, g, b], at places in shares of the window that is looked through, over
+// white.
 export async function pixelsAt(page, places) {
   const frame = await page.locator("#frame").boundingBox();
   const stage = await page.locator("#stage").boundingBox();

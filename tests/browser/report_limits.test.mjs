@@ -98,7 +98,8 @@ test("the keyboard alone turns, zooms, looks through a camera, changes it, and c
     assert.equal(await page.textContent("#face-state"), "There are faces 0 to 8063.");
   }, { viewport: small }));
 
-// The page of a run whose triangles would not all fit: what the command would have said is put into a page that it made.
+// The page of a run whose triangles would not all fit: what the command would have said is put into a page that it
+// made.
 function withHeld(folder, held) {
   const file = join(folder, "report.html");
   const page = readFileSync(file, "utf8");

@@ -1,5 +1,5 @@
-// The page of `sightline trace` is tested in a browser: Fang's tables row by row, every way to step, "What next?", keyboard, phone,
-// contrast, colours, names.
+// The page of `sightline trace` is tested in a browser: Fang's tables row by row, every way to step, "What next?",
+// keyboard, phone, contrast, colours, names.
 import assert from "node:assert/strict";
 import { writeFileSync } from "node:fs";
 import { join } from "node:path";

@@ -19,8 +19,8 @@ struct Allowances {
   bool coplanar = false;
   // The scene has too many faces for the rational oracle.
   bool large = false;
-  // Doubles are as far apart as the scene is large: points that the labelled surface adds have none of their own, so what
-  // its checker says of it is left out.
+  // Doubles are as far apart as the scene is large: points that the labelled surface adds have none of their own, so
+  // what its checker says of it is left out.
   bool coarse_doubles = false;
 };
 

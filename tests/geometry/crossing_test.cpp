@@ -106,8 +106,8 @@ std::size_t common_segments(const Mesh& mesh, const View& view) {
   return pairs;
 }
 
-// Where two faces are seen on either side of their common line, they meet there in the same points of space, bit for bit.
-// Returns how many such pieces of lines there are.
+// Where two faces are seen on either side of their common line, they meet there in the same points of space, bit for
+// bit. Returns how many such pieces of lines there are.
 std::size_t check_meetings(Complaints& complaints, const Mesh& mesh, const View& view) {
   std::vector<std::set<PlacePair>> borders;
   for (std::size_t f = 0; f < mesh.face_count(); ++f) borders.push_back(seen_border(view.labelled, FaceId(f)));

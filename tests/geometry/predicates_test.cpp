@@ -184,7 +184,8 @@ TEST_CASE("in_circle: a filter that answers is right where squares underflow bes
 }
 
 TEST_CASE("orient3d: products that underflow beside a huge difference") {
-  // The determinant is 2^1000 2^-537 2^-538 - 2^58 2^400 2^-538 = 2^-75 - 2^-80, and the first product of two underflows.
+  // The determinant is 2^1000 2^-537 2^-538 - 2^58 2^400 2^-538 = 2^-75 - 2^-80, and the first product of two
+  // underflows.
   const Point3 origin{0, 0, 0};
   const Point3 b{std::ldexp(1.0, 1000), std::ldexp(1.0, 58), 0};
   const Point3 c{std::ldexp(1.0, 400), std::ldexp(1.0, -537), 0};

@@ -90,8 +90,8 @@ TEST_CASE("two crossing rectangles, seen in parallel: each is visible on its sid
 }
 
 TEST_CASE("two crossing rectangles, seen in perspective: the common line's image is not at the middle") {
-  // At z = -2 the first is |x|, |y| <= 1, in the image 1/2. The second is z = -2 + x / 2 from x = -1 (z = -5/2, image
-  // x = -2/5) to x = 1 (z = -3/2, image x = 2/3), and passes through the first at x = 0. It is y = 0 .. 1 deep: its image
+  // At z = -2 the first is |x|, |y| <= 1, in the image 1/2. The second is z = -2 + x / 2 from x = -1 (z = -5/2, image x
+  // = -2/5) to x = 1 (z = -3/2, image x = 2/3), and passes through the first at x = 0. It is y = 0 .. 1 deep: its image
   // is from y = 0 to 1 / -z, where image x is s: z = -2 + s (-z) / 2, 1 / -z = (2 + s) / 4.
   const Mesh mesh = tests::mesh_of({slope_over_x(-1, -1, 1, 1, -2, 0), slope_over_x(-1, 0, 1, 1, -2, 0.5)});
   const Truth truth = true_visibility(mesh, pinhole, Sides::both);

@@ -126,8 +126,8 @@ TEST_CASE("obstacles behind the panel, behind the mirror, and in the mirror's pl
 }
 
 TEST_CASE("an obstacle that stands on the mirror hides what is behind it") {
-  // The wall is upright at x = 1/4, from the mirror up to z = 1: it is in the way of rays that do not clear its top, and
-  // the camera does not see the mirror behind it.
+  // The wall is upright at x = 1/4, from the mirror up to z = 1: it is in the way of rays that do not clear its top,
+  // and the camera does not see the mirror behind it.
   const Corners wall{{0.25, -4, 0}, {0.25, 4, 0}, {0.25, 4, 1}, {0.25, -4, 1}};
   const Outcome outcome = reflected({floor_mirror, wall}, overhead);
   // A ray from the mirror camera through (x, 0) has height 4 (0.25 - x) / (x + 2) at x = 1/4: below 1 for x > -1/5.

@@ -103,9 +103,9 @@ TEST_CASE("depth: of large faces around the eye, as rays have it") {
   CHECK(compared > 50);
 }
 
-// The faces overlap in a triangle of the image, whose corners are three places that show the order. Elsewhere four lines
-// through the eye meet an edge of one face on one side of the eye and an edge of the other on the other side. These say
-// nothing of the order; taken for places where edges cross, they would outvote the three.
+// The faces overlap in a triangle of the image, whose corners are three places that show the order. Elsewhere four
+// lines through the eye meet an edge of one face on one side of the eye and an edge of the other on the other side.
+// These say nothing of the order; taken for places where edges cross, they would outvote the three.
 TEST_CASE("depth: of faces that reach around the eye, edges that cross behind it are no evidence") {
   const Corners quadrilateral{{-7, 1, -8}, {1, 8, -12}, {2, -2, 2}, {-7, -5, 0}};
   const Corners triangle{{2, 6, 0}, {9, 8, 14}, {2, -6, 0}};

@@ -1,5 +1,5 @@
-// The fast engine gives what the sweep of everything gives, to the last bit, however fine its cells and however many its
-// bands are.
+// The fast engine gives what the sweep of everything gives, to the last bit, however fine its cells and however many
+// its bands are.
 #include <doctest/doctest.h>
 
 #include <array>
@@ -83,7 +83,8 @@ TEST_CASE("engines: random surfaces") {
   CHECK(5 * tally.swept < 4 * tally.points);
 }
 
-// A band across two walls is cut along common lines; one of its pieces is hidden, and what is seen of another ends on its edge.
+// A band across two walls is cut along common lines; one of its pieces is hidden, and what is seen of another ends on
+// its edge.
 TEST_CASE("engines: an edge is split for a hidden piece of a face, too") {
   const Mesh mesh = cut(tests::mesh_of({{{0, 5, -1}, {-2, 5, -3}, {-3, 3, 6}},
                                         {{4, 3, 16}, {20, 3, -4}, {-6, 6, -14}, {-22, 6, 6}},
