@@ -22,7 +22,7 @@ struct Rise {
   int winding = 0;
 };
 
-// Returns those that reach the frame's range of y and are not wholly to the right of it.
+// Returns the rises of the shapes that reach the frame's range of y and are not wholly to the right of it.
 [[nodiscard]] std::vector<Rise> rises_of(const std::vector<Shape>& shapes);
 
 // Returns, in ascending order and once each, the y of all ends and crossings of rises in the frame's box, its own ends

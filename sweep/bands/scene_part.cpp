@@ -69,7 +69,7 @@ class PartBuilder {
     scene.polygon_begin.resize(whole_.status.size() + 1, static_cast<std::uint32_t>(scene.polygon_corners.size()));
   }
 
-  // The corner that clipping made is the one that is added next.
+  // The made corner is that of the corner that is added next.
   MadeCornerId add_made(MadeCorner made) {
     made.corner = static_cast<std::uint32_t>(part_.scene.polygon_corners.size());
     part_.scene.made_corners.push_back(made);
