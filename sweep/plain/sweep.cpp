@@ -5,12 +5,11 @@
 #include "geometry/numbers/arithmetic.h"
 #include "sweep/plain/active_edge_list.h"
 #include "sweep/plain/depth_order.h"
-#include "sweep/plain/edge_directions.h"
 #include "sweep/plain/event_queue.h"
 #include "sweep/plain/segment_recorder.h"
 #include "sweep/plain/sweep_input.h"
 #include "sweep/plain/sweep_state.h"
-#include "sweep/segments/validate_crossings.h"
+#include "sweep/segments/crossing_point.h"
 
 namespace sightline::inline sweep {
 namespace {

@@ -36,6 +36,14 @@ Share share_of_first(const ImagePoint& top_a, const ImagePoint& bottom_a, const 
   return {numerator, denominator};
 }
 
+// Returns whether the ends of b lie strictly on different sides of a.
+bool separates(const ProjectedScene& scene, EdgeId a, EdgeId b) {
+  const auto side = [&](PointId p) {
+    return orientation(scene.point(scene.edge(a).top), scene.point(scene.edge(a).bottom), scene.point(p));
+  };
+  return side(scene.edge(b).top) * side(scene.edge(b).bottom) < 0;
+}
+
 double rounded(std::int64_t base, Int128 offset, Int128 denominator) {
   return static_cast<double>(base) + static_cast<double>(offset) / static_cast<double>(denominator);
 }
@@ -56,6 +64,10 @@ CrossingPoint crossing_point(const ProjectedScene& scene, EdgeId a, EdgeId b) {
   const SceneEdge& of_b = scene.edge(b);
   return crossing_point(scene.point(of_a.top), scene.point(of_a.bottom), scene.point(of_b.top),
                         scene.point(of_b.bottom));
+}
+
+bool cross_inside_both(const ProjectedScene& scene, EdgeId a, EdgeId b) {
+  return separates(scene, a, b) && separates(scene, b, a);
 }
 
 double crossing_height(const ImagePoint& top_a, const ImagePoint& bottom_a, const ImagePoint& top_b,

@@ -39,6 +39,9 @@ constexpr double crossing_order_bound = 2 * crossing_error + 0x1p-11;
 // Precondition: the two edges of the scene are not parallel.
 [[nodiscard]] CrossingPoint crossing_point(const ProjectedScene& scene, EdgeId a, EdgeId b);
 
+// Returns whether the ends of each edge lie strictly on different sides of the other, exactly.
+[[nodiscard]] bool cross_inside_both(const ProjectedScene& scene, EdgeId a, EdgeId b);
+
 // Returns the same point's y.
 [[nodiscard]] double crossing_height(const ImagePoint& top_a, const ImagePoint& bottom_a, const ImagePoint& top_b,
                                      const ImagePoint& bottom_b);
