@@ -9,11 +9,10 @@
 #include "sweep/bands/bands.h"
 #include "sweep/bands/joined_segments.h"
 #include "sweep/bands/scene_part.h"
+#include "sweep/fast/cell_grid.h"
 #include "sweep/fast/covers.h"
-#include "sweep/fast/facet_outline.h"
 #include "sweep/fast/large_covers.h"
 #include "sweep/fast/roles.h"
-#include "sweep/fast/whole_surfaces.h"
 
 namespace sightline::inline sweep {
 namespace {

@@ -12,6 +12,7 @@
 #include <span>
 
 #include "geometry/numbers/image_point.h"
+#include "geometry/projection/projected_scene.h"
 
 namespace sightline::inline sweep {
 
@@ -25,6 +26,18 @@ struct CellRange {
   std::uint16_t top = 0;
 
   [[nodiscard]] bool is_narrow() const { return left == right || bottom == top; }
+};
+
+// A facet's rounded polygon is given to the grid as plain points.
+class FacetOutline {
+ public:
+  FacetOutline(const ProjectedScene& scene, FacetId f) {
+    for (const ClippedCorner& corner : scene.polygon(f)) points_.push_back(scene.point(corner.point));
+  }
+  [[nodiscard]] std::span<const ImagePoint> points() const { return {points_.data(), points_.size()}; }
+
+ private:
+  boost::container::small_vector<ImagePoint, 6> points_;
 };
 
 class CellGrid {

@@ -3,12 +3,12 @@
 #include <tbb/enumerable_thread_specific.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
+#include "geometry/mesh/facet_plane.h"
+#include "geometry/numbers/grouping.h"
 #include "geometry/numbers/parallel.h"
-#include "sweep/fast/facet_outline.h"
-#include "sweep/fast/facets_by_cell.h"
-#include "sweep/fast/whole_surfaces.h"
 #include "sweep/plain/depth_order.h"
 
 namespace sightline::inline sweep {
@@ -50,6 +50,37 @@ bool is_beyond_an_edge(std::span<const ImagePoint> points, std::span<const Image
     if (std::ranges::all_of(points, is_outside)) return true;
   }
   return false;
+}
+
+// Returns, per cell, how many facets may be over its centre, up to two.
+std::vector<std::uint8_t> count_over_centre(const FacetCells& cells, const CellGrid& grid, std::size_t facets) {
+  std::vector<std::uint8_t> count(grid.cell_count(), 0);
+  parallel_for_each(facets, [&](std::size_t f) {
+    for (const FacetCell& cell : cells.of(FacetId(f))) {
+      std::atomic_ref of_cell(count[cell.cell()]);
+      std::uint8_t before = of_cell.load(std::memory_order_relaxed);
+      while (cell.over_centre() && before < 2 && !of_cell.compare_exchange_weak(before, before + 1)) continue;
+    }
+  });
+  return count;
+}
+
+struct CellFacet {
+  FacetId facet;
+  bool over_centre = false;
+};
+
+// Returns the facets that touch the cells with two over their centre, in no order: where there are fewer, no second
+// sheet is looked for.
+Grouping<CellFacet> facets_by_cell(const FacetCells& cells, const std::vector<std::uint8_t>& over_centre,
+                                   std::size_t facets) {
+  return Grouping<CellFacet>(over_centre.size(), [&](const auto& visit) {
+    parallel_for_each(facets, [&](std::size_t f) {
+      for (const FacetCell& cell : cells.of(FacetId(f))) {
+        if (over_centre[cell.cell()] > 1) visit(cell.cell(), CellFacet{FacetId(f), cell.over_centre()});
+      }
+    });
+  });
 }
 
 // This looks at some of the cells, and counts for each facet in how many of them it is not in front.
@@ -221,6 +252,16 @@ Covers find_covers(const Mesh& mesh, const ProjectedScene& scene, const std::vec
   });
   keep_surfaces_whole(mesh, scene, covers.hidden);
   return covers;
+}
+
+void keep_surfaces_whole(const Mesh& mesh, const ProjectedScene& scene, std::vector<std::uint8_t>& hidden) {
+  parallel_for_each(hidden.size(), [&](std::size_t begin) {
+    if (surface_of(mesh, FacetId(begin)) != FacetId(begin)) return;
+    const std::size_t end = end_of_surface(mesh, FacetId(begin)).index();
+    std::size_t seen = 0;
+    for (std::size_t f = begin; f < end; ++f) seen += scene.status[f] == Status::in_view && hidden[f] == 0 ? 1 : 0;
+    if (seen > 0) std::fill_n(hidden.begin() + static_cast<std::ptrdiff_t>(begin), end - begin, std::uint8_t{0});
+  });
 }
 
 }  // namespace sightline::inline sweep

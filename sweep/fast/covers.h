@@ -45,4 +45,9 @@ struct Covers {
                                  const Continuation& continuation, const CellGrid& grid, const FacetCells& cells,
                                  std::vector<std::uint8_t> hidden);
 
+// Leaves no facet hidden, per facet, of a surface (facet_plane.h) some of whose facets in view may be seen. What the
+// sweep says of a surface it says of all its facets: a segment's edge may belong to any of them, and where the boundary
+// of what is visible passes an edge, the edge is split for all facets on it. This takes O(n).
+void keep_surfaces_whole(const Mesh& mesh, const ProjectedScene& scene, std::vector<std::uint8_t>& hidden);
+
 }  // namespace sightline::inline sweep

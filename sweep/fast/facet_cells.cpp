@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "geometry/numbers/parallel.h"
-#include "sweep/fast/facet_outline.h"
 
 namespace sightline::inline sweep {
 namespace {
