@@ -6,6 +6,8 @@
 // Complexity: O(1) each.
 #pragma once
 
+#include <vector>
+
 #include "sweep/segments/crossing_point.h"
 
 namespace sightline::inline reflect {
@@ -36,5 +38,13 @@ struct ImagePlace {
 
 // Returns +1 where, below a common point, a lies left of b; 0 where they are parallel.
 [[nodiscard]] Sign turn(const ImageLine& a, const ImageLine& b);
+
+// The border of a region of the image consists of directed pieces, which have the region to their left.
+struct BorderPiece {
+  ImagePlace start;
+  ImagePlace end;
+  ImageLine line;  // that it lies on
+};
+using RegionBorder = std::vector<BorderPiece>;
 
 }  // namespace sightline::inline reflect

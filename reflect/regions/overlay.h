@@ -11,7 +11,7 @@
 
 #include <vector>
 
-#include "reflect/regions/border_piece.h"
+#include "reflect/regions/image_place.h"
 
 namespace sightline::inline reflect {
 

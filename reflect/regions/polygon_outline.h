@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "geometry/numbers/predicates.h"
-#include "reflect/regions/border_piece.h"
+#include "reflect/regions/image_place.h"
 
 namespace sightline::inline reflect {
 

@@ -1,14 +1,33 @@
 // The world is everything that can be reflected or be in the way, prepared once for all cameras.
 #pragma once
 
+#include <functional>
+#include <span>
 #include <vector>
 
 #include "geometry/cutting/facet_cutter.h"
-#include "reflect/world/obstacles.h"
+#include "geometry/mesh/box_hierarchy.h"
+#include "geometry/mesh/mesh.h"
 #include "reflect/world/panel.h"
 #include "reflect/world/reflection_options.h"
 
 namespace sightline::inline reflect {
+
+// The facets of the surface, and panels, may stand between a mirror and a panel. The hierarchy is built in O(n log n);
+// a pyramid (pyramid.h) costs what it touches of it.
+class Obstacles {
+ public:
+  Obstacles() = default;
+  // A mesh that was cut along common lines has the facets before the cut as obstacles. Which pieces they are in is of
+  // no interest here.
+  explicit Obstacles(const Mesh& mesh);
+
+  // `may_touch` is false where a box has no point in the pyramid.
+  [[nodiscard]] std::vector<WholeId> in(const std::function<bool(const Box&)>& may_touch) const;
+
+ private:
+  BoxHierarchy hierarchy_;
+};
 
 struct MirrorWorld {
   const Mesh* surface = nullptr;
@@ -26,6 +45,11 @@ struct MirrorWorld {
 [[nodiscard]] MirrorWorld make_mirror_world(const Mesh& surface, std::vector<Panel> panels,
                                             const ReflectionOptions& options = {},
                                             const std::vector<Vector3>& given_normals = {});
+
+// Returns the corners of a whole: of a facet, where the mesh was not cut.
+[[nodiscard]] std::span<const VertexId> whole_corners(const Mesh& mesh, WholeId whole);
+
+[[nodiscard]] Box box_of(const Mesh& mesh, std::span<const VertexId> corners);
 
 [[nodiscard]] CutPolygon whole_polygon(const Mesh& mesh, WholeId whole);
 
