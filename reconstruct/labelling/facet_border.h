@@ -51,4 +51,8 @@ class InnerVertices {
 [[nodiscard]] std::vector<PointId> splits_between(const ProjectedScene& scene, const ImagePoints& points, FacetId facet,
                                                   std::size_t i, std::span<const EdgeSplit> splits_of_view_border);
 
+// Returns whether the rounded polygon of a facet in view is still convex and turns as the facet does. Where it does
+// not, the facet is narrower than the grid. Straight sides that rounding bends, within the grid, do not count.
+[[nodiscard]] bool is_proper(const Mesh& mesh, const ProjectedScene& scene, FacetId facet);
+
 }  // namespace sightline::inline reconstruct

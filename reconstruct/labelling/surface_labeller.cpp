@@ -5,9 +5,8 @@
 
 #include "geometry/mesh/facet_plane.h"
 #include "reconstruct/labelling/facet_border.h"
+#include "reconstruct/labelling/new_vertices.h"
 #include "reconstruct/labelling/outside_pieces.h"
-#include "reconstruct/labelling/rounded_facet.h"
-#include "reconstruct/labelling/surface_vertices.h"
 #include "reconstruct/triangulation/constrained_delaunay.h"
 
 namespace sightline::inline reconstruct {
