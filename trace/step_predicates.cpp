@@ -2,10 +2,47 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
-#include "trace/image_signs.h"
+#include "sweep/segments/image_decisions.h"
 
 namespace sightline::trace {
+
+namespace {
+
+struct ImageSign {
+  Sign sign = 0;
+  std::optional<Sign> exact;  // where it differs
+};
+
+// Returns the sign of a planar test of the sweep, in the scene's arithmetic and exactly; `ask` is a function of a
+// decisions policy (image_decisions.h).
+template <class Ask>
+ImageSign image_sign(Arithmetic arithmetic, const Ask& ask) {
+  const Sign exact = ask(ExactDecisions{});
+  if (arithmetic == Arithmetic::exact) return {exact, std::nullopt};
+  const Sign sign = arithmetic == Arithmetic::single_precision ? ask(UnfilteredDecisions<float>{})
+                                                               : ask(UnfilteredDecisions<double>{});
+  return {sign, sign == exact ? std::nullopt : std::optional<Sign>(exact)};
+}
+
+ImageSign side_of_edge(const ProjectedScene& scene, EdgeId edge, PointId point) {
+  const SceneEdge& e = scene.edge(edge);
+  return image_sign(scene.arithmetic, [&](auto decisions) {
+    return decisions.side(scene.point(e.top), scene.point(e.bottom), scene.point(point));
+  });
+}
+
+ImageSign turn_of_edges(const ProjectedScene& scene, EdgeId a, EdgeId b) {
+  return image_sign(scene.arithmetic, [&](auto decisions) {
+    const auto direction = [&](EdgeId e) {
+      return decisions.direction(scene.point(scene.edge(e).top), scene.point(scene.edge(e).bottom));
+    };
+    return decisions.turn(direction(a), direction(b));
+  });
+}
+
+}  // namespace
 
 StepPredicates::StepPredicates(const Mesh& mesh, const SweepLog& log, const SceneNames& names)
     : mesh_(mesh),
