@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-#include "peers/errors/image_rectangle.h"
+#include "peers/pixels/image_rectangle.h"
 #include "peers/scene/nearest.h"
 
 namespace sightline::peers {

@@ -13,7 +13,7 @@ namespace sightline::peers {
 
 struct ExactParts {
   VisibleParts parts;
-  VisibleLines lines;  // exact_lines.h
+  VisibleLines lines;  // each point of an edge once, whichever of its faces' segments run along it
   FaceAreas areas;     // of the faces that are called visible: some polygon of theirs is not below resolution
 };
 
