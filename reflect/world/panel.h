@@ -5,11 +5,11 @@
 // Source: Koucky 2014, 3.9 (flat panel).
 #pragma once
 
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "geometry/mesh/mesh.h"
+#include "geometry/numbers/errors.h"
 
 namespace sightline::inline reflect {
 
@@ -19,10 +19,6 @@ struct Panel {
   std::string name;
   std::vector<Point3> corners;
   Emits emits = Emits::both;
-};
-
-class PanelError : public std::runtime_error {
-  using std::runtime_error::runtime_error;
 };
 
 // Returns the panel as the only face of a mesh. Throws PanelError for a panel that is no planar polygon: fewer than
