@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "peers/scene/ring_area.h"
+#include "peers/scene/convex_ring.h"
 #include "peers/scene/ring_grid.h"
 
 namespace sightline::peers {

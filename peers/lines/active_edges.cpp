@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <optional>
 
-#include "peers/scene/shifted_side.h"
-
 namespace sightline::peers {
 namespace {
 

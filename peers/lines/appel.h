@@ -18,7 +18,7 @@
 // Departures: the boundary edges of open meshes are active, too, and back-facing polygons obscure as front-facing
 // ones do, since either is the surface here; so a silhouette edge changes Q_v by 2. The seed is in the middle of the
 // longest piece between two intersections. Lines that fall on others in the image are thought moved aside
-// (shifted_side.h).
+// (scene_lines.h).
 // Source: slides 004, "Quantitative Invisibility"; Appel 1967.
 #pragma once
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "geometry/mesh/facet_plane.h"
-#include "peers/scene/shifted_side.h"
 
 namespace sightline::peers {
 namespace {

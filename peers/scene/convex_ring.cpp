@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "peers/scene/ring_area.h"
-
 namespace sightline::peers {
 namespace {
 

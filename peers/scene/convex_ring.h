@@ -32,6 +32,18 @@ struct MinMax {
 [[nodiscard]] bool extents_overlap(const MinMax& a, const MinMax& b);
 [[nodiscard]] bool contains(const MinMax& extent, const Point2& p);
 
+// Returns the area of a ring, convex or not: it is positive where the ring runs counter-clockwise, and 0 for fewer than
+// three corners. It is computed relative to the first corner.
+[[nodiscard]] inline double signed_area(const std::vector<Point2>& ring) {
+  double twice = 0;
+  for (std::size_t i = 2; i < ring.size(); ++i) {
+    const Point2& p = ring[i - 1];
+    const Point2& q = ring[i];
+    twice += (p.x - ring[0].x) * (q.y - ring[0].y) - (p.y - ring[0].y) * (q.x - ring[0].x);
+  }
+  return twice / 2;
+}
+
 [[nodiscard]] bool is_below_resolution(const ConvexRing& ring);
 
 // Returns the convex hull of a polygon's corners, exactly. Rounding to the grid may have dented the polygon, by less

@@ -9,7 +9,7 @@
 #include "peers/errors/part_errors.h"
 #include "peers/errors/pixel_areas.h"
 #include "peers/errors/pixel_errors.h"
-#include "peers/scene/ring_area.h"
+#include "peers/scene/convex_ring.h"
 
 namespace sightline::tests::peer_errors_test {
 using namespace peers;
