@@ -6,7 +6,7 @@
 // Out: the border of the common part, in pieces that meet in end points only, with the part to their left. A piece lies
 //      on the line of the one that it came from. Empty where the regions have no area in common.
 // Complexity: O((m + n + k) b) for m and n pieces that meet k times, of which b are beside each other at one height
-// (band_index.h): small regions, or small pieces.
+// (BandIndex in overlay.cpp): small regions, or small pieces.
 #pragma once
 
 #include <vector>
