@@ -1,8 +1,8 @@
-// Peak memory of each stage of one view, beside the counts it may depend on: a line of CSV per input.
+// This prints the peak memory of each stage of one view, beside the counts it may depend on: a line of CSV per input.
 //
 //     build/release/bench/sightline_memory MODEL.obj...      (without a model: generated scenes)
 //
-// The constants of cli/memory_estimate.cpp come from here. A stage's peak is VmHWM, reset before it (Linux).
+// The constants of cli/analyze/memory_estimate.cpp come from here. A stage's peak is VmHWM, reset before it (Linux).
 
 #include <cstdio>
 #include <functional>
@@ -25,7 +25,7 @@ namespace sightline::bench {
 using namespace cli;
 namespace {
 
-// The peak while `work` runs, with all that was there before.
+// Returns the peak while `work` runs, with all that was there before.
 std::size_t peak_of(const std::function<void()>& work) {
   reset_peak();
   work();
@@ -43,7 +43,7 @@ class StagePeaks : public AnalysisHook {
   std::array<std::size_t, 8> peaks_{};
 };
 
-// A camera from a corner of the room, at the middle of the bounding box.
+// The camera looks from a corner of the room at the middle of the bounding box.
 Camera camera_for(const Mesh& mesh) {
   Box box{mesh.vertices.front(), mesh.vertices.front()};
   for (const Point3& p : mesh.vertices) box = hull(box, {p, p});

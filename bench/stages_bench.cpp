@@ -1,4 +1,5 @@
-// The stages of one view on generated scenes, one core: time per stage, and sweep points per second.
+// This runs the stages of one view on generated scenes, on one core: it prints the time per stage, and sweep points per
+// second.
 //
 //     build/release/bench/sightline_bench
 
@@ -60,8 +61,8 @@ void view_of_terrain(benchmark::State& state) {
   run_view(state, terrain_case(static_cast<std::size_t>(state.range(0))));
 }
 
-// All of a terrain is seen, and a square lamp over it. reflect_s: to find what reflects it; swept: the pyramids that had an
-// obstacle in them, each of which costs a sweep.
+// All of a terrain is seen, and a square lamp over it. reflect_s is the time to find what reflects it, swept counts the
+// pyramids that had an obstacle in them, each of which costs a sweep.
 void reflections_of_terrain(benchmark::State& state) {
   const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
   const Analyzer analyzer(uncrossed(terrain(static_cast<std::size_t>(state.range(0)))), {.sides = SidesPolicy::both});

@@ -9,7 +9,7 @@
 namespace sightline::inline coverage {
 namespace {
 
-// Which triangles are asked for: those that are seen, or those that mirror one of the panels.
+// The selection says which triangles are asked for: those that are seen, or those that mirror one of the panels.
 struct Selection {
   bool visible = false;
   std::uint64_t panels = 0;
@@ -22,13 +22,13 @@ struct Selection {
 
 constexpr Selection visible_part{true, 0};
 
-// What one camera sees of one surface.
+// A sight is what one camera sees of one surface.
 struct Sight {
   const SeenSurface* surface = nullptr;
   std::span<const SeenTriangle> triangles;
 };
 
-// One surface, and who sees some of it.
+// This is one surface, with those that see some of it.
 class SurfaceCover {
  public:
   SurfaceCover(const CutMesh& mesh, FacetId surface) : mesh_(&mesh), surface_(surface) {
@@ -44,7 +44,7 @@ class SurfaceCover {
   [[nodiscard]] double area() const { return area_; }
   [[nodiscard]] std::uint64_t panels() const { return panels_; }  // those that some of it mirrors
 
-  // Of the selected triangles of one camera, which do not overlap.
+  // Returns the area of the selected triangles of one camera, which do not overlap.
   [[nodiscard]] double alone(const Sight& sight, const Selection& selection) const {
     if (selection.has_all_of(*sight.surface)) return area_;
     double sum = 0;
@@ -87,7 +87,7 @@ class SurfaceCover {
   std::uint64_t panels_ = 0;
 };
 
-// area(selection): of a surface. Adds what it has of each kind, and returns the areas visible and reflecting. Where the
+// Adds what a surface has of each kind, by `area(selection)`, and returns the areas visible and reflecting. Where the
 // sweeps of two selections round differently, what has more keeps more, and no union exceeds the sum.
 template <class Area>
 std::array<double, 2> add_areas(CoveredAreas& sums, std::uint64_t panels, Area area) {
@@ -108,7 +108,7 @@ std::array<double, 2> add_areas(CoveredAreas& sums, std::uint64_t panels, Area a
   return {visible, reflecting};
 }
 
-// Goes through the surfaces in order, and with them through what each camera sees.
+// This goes through the surfaces in order, and with them through what each camera sees.
 class Accumulation {
  public:
   Accumulation(const CutMesh& mesh, std::span<const SeenPart> cameras, std::size_t panel_count)

@@ -2,13 +2,13 @@
 //
 // In:  a mesh (cut along common lines), and what each camera sees of it (seen_part.h).
 // Out: areas in input units squared, per camera and of all cameras together, per panel and of all panels together.
-// Holds: what several cameras or panels cover together is no less than what one of them does, and no more than the surface,
-//      also as rounded doubles; it is no more than the sum, but for the rounding of sums. A skipped face has zeros. The
-//      order of the cameras changes nothing, but for rounding.
-// Method: cameras see the same planar surfaces, each in triangles of its own. Where one camera sees all of a surface, or
-//      all but one nothing, the union is known; else union_share.h finds it, and says how exactly.
-// Complexity: O(s c p) for s surfaces, c cameras and p panels, and a sweep per surface that several cameras see in part,
-//      and per panel that several see mirrored in part of it.
+// Holds: what several cameras or panels cover together is no less than what one of them does, and no more than the
+//      surface, also as rounded doubles; it is no more than the sum, but for the rounding of sums. A skipped face has
+//      zeros. The order of the cameras changes nothing, but for rounding.
+// Method: cameras see the same planar surfaces, each in triangles of its own. Where one camera sees all of a surface,
+//      or all but one nothing, the union is known; else union_share.h finds it, and says how exactly.
+// Complexity: O(s c p) for s surfaces, c cameras and p panels, and a sweep per surface that several cameras see in
+//      part, and per panel that several see mirrored in part of it.
 #pragma once
 
 #include <span>
@@ -18,14 +18,14 @@
 
 namespace sightline::inline coverage {
 
-// By one camera, or by all of them together.
+// These are the areas covered by one camera, or by all of them together.
 struct CoveredAreas {
   double visible = 0;
   double any_panel = 0;        // mirrors one panel or more
   std::vector<double> panels;  // mirrors this panel
 };
 
-// By all cameras and panels together.
+// This is what all cameras and panels together cover of a face.
 struct FaceCoverage {
   double area = 0;
   double visible = 0;

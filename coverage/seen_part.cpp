@@ -22,7 +22,7 @@ SpaceTriangle placed(const LabelledMesh& labelled, const LabelledTriangle& t) {
   return {labelled.vertices[a.index()], labelled.vertices[b.index()], labelled.vertices[c.index()]};
 }
 
-// triangles: all of one surface.
+// `triangles` are all of one surface.
 void add(SeenPart& part, const LabelledMesh& labelled, std::span<const LabelledTriangle> triangles) {
   SeenSurface surface = summed_up(triangles);
   surface.first_triangle = static_cast<std::uint32_t>(part.triangles.size());

@@ -1,10 +1,10 @@
 // What of a labelled surface is seen, and mirrors which panels: all that coverage (coverage.h) keeps of a view.
 //
-// In:  the labelled surface of one camera. Out: per surface (surface_of in facet_plane.h) of which something is seen, its
-//      triangles that are seen.
+// In:  the labelled surface of one camera. Out: per surface (surface_of in facet_plane.h) of which something is seen,
+//      its triangles that are seen.
 // Holds: surfaces are sorted; triangles are by surface.
-// Memory: 32 bytes for each surface that is seen, and 80 for each of its triangles that are seen; but none of them where
-//      all of it is seen and mirrors the same panels, as most surfaces do. The labelled surface itself can go.
+// Memory: 32 bytes for each surface that is seen, and 80 for each of its triangles that are seen; but none of them
+//      where all of it is seen and mirrors the same panels, as most surfaces do. The labelled surface itself can go.
 // Complexity: O(n).
 #pragma once
 
@@ -33,7 +33,8 @@ struct SeenPart {
   std::vector<SeenSurface> surfaces;
   std::vector<SeenTriangle> triangles;
 
-  // Those of surfaces[i]; none where every panel is mirrored everywhere or nowhere on it, and all of it is seen.
+  // Returns the triangles of surfaces[i]; there are none where every panel is mirrored everywhere or nowhere on it, and
+  // all of it is seen.
   [[nodiscard]] std::span<const SeenTriangle> triangles_of(std::size_t i) const {
     const std::size_t first = surfaces[i].first_triangle;
     const std::size_t end = i + 1 < surfaces.size() ? surfaces[i + 1].first_triangle : triangles.size();

@@ -33,14 +33,14 @@ Box bounds(std::span<const SpaceTriangle> triangles) {
   return box;
 }
 
-// From a coordinate to the grid; [low, high] fills the window. Halves, so that no difference overflows; a corner that
-// rounding has moved out of the rectangle goes back to its border.
+// An axis takes a coordinate to the grid; [low, high] fills the window. It works with halves, so that no difference
+// overflows; a corner that rounding has moved out of the rectangle goes back to its border.
 struct Axis {
   double low = 0;
   double high = 0;
 
   [[nodiscard]] double half_extent() const { return 0.5 * high - 0.5 * low; }
-  // In [0, 1].
+  // The share is in [0, 1].
   [[nodiscard]] double share(double coordinate) const {
     if (!(low < high)) return 0;
     const double factor = std::max(-low, high) > 1 ? 0.5 : 1;
@@ -59,7 +59,7 @@ Axes axes_of(std::span<const SpaceTriangle> surface) {
   return {Axis{box.low.x, box.high.x}, Axis{box.low.y, box.high.y}, Axis{box.low.z, box.high.z}};
 }
 
-// Seen along the axis `along`.
+// Returns the triangle's image, seen along the axis `along`.
 ImagePolygon image(const Axes& axes, std::size_t along, const SpaceTriangle& triangle) {
   const std::size_t x = (along + 1) % 3;
   const std::size_t y = (along + 2) % 3;
@@ -71,7 +71,7 @@ ImagePolygon image(const Axes& axes, std::size_t along, const SpaceTriangle& tri
   return polygon;
 }
 
-// Twice the area in window units squared of triangles that do not overlap.
+// Returns twice the area, in window units squared, of triangles that do not overlap.
 double twice_area_seen(const Axes& axes, std::size_t along, std::span<const SpaceTriangle> triangles) {
   Int128 sum = 0;
   for (const SpaceTriangle& triangle : triangles) {
@@ -82,8 +82,8 @@ double twice_area_seen(const Axes& axes, std::size_t along, std::span<const Spac
   return std::ldexp(static_cast<double>(sum), -2 * grid_bits);
 }
 
-// The axis along which the surface is seen largest, in space: across the others, what rounding has done to the corners
-// in space would be stretched with the rectangle.
+// Returns the axis along which the surface is seen largest, in space: across the others, what rounding has done to the
+// corners in space would be stretched with the rectangle.
 std::size_t best_axis(const Axes& axes, std::span<const SpaceTriangle> surface) {
   const double longest = std::max({axes[0].half_extent(), axes[1].half_extent(), axes[2].half_extent()});
   std::array<double, 3> sizes{};
@@ -95,7 +95,7 @@ std::size_t best_axis(const Axes& axes, std::span<const SpaceTriangle> surface) 
   return static_cast<std::size_t>(std::ranges::max_element(sizes) - sizes.begin());
 }
 
-// Twice the area in window units squared of what is seen: a sum over its directed border.
+// Returns twice the area, in window units squared, of what is seen: it is a sum over its directed border.
 double twice_area_of(const ProjectedScene& scene, const VisibleSegments& segments) {
   const ImagePoints points(scene, segments);
   double sum = 0;

@@ -1,4 +1,4 @@
-// The bytes of an input as choices, one byte each: what a fuzzer changes in one place changes one choice.
+// The bytes of an input are choices, one byte each: what a fuzzer changes in one place changes one choice.
 #pragma once
 
 #include <string_view>
@@ -11,7 +11,7 @@ class Choices {
 
   [[nodiscard]] bool any_left() const { return !rest_.empty(); }
 
-  // In [low, high], at most 256 numbers; low where no bytes are left.
+  // Returns a number in [low, high], which are at most 256 numbers; low where no bytes are left.
   int between(int low, int high) {
     if (rest_.empty()) return low;
     const int byte = static_cast<unsigned char>(rest_.front());

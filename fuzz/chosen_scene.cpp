@@ -32,7 +32,7 @@ LatticePoint chosen_point(const Lattice& lattice, bool fine, Choices& choices) {
   return {x * step, y * step, depth};
 }
 
-// A vertex that is there already, or a new one, which may have an old one's place.
+// Returns a vertex that is there already, or a new one, which may have an old one's place.
 std::uint32_t chosen_vertex(std::vector<LatticePoint>& points, const Lattice& lattice, Choices& choices) {
   constexpr int old = 128;
   const int choice = choices.between(0, 255);

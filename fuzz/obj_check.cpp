@@ -24,9 +24,9 @@ std::optional<ObjFile> read_or_refused(std::string_view text) {
   }
 }
 
-// Whether the scene reaches so far that doubles out there are coarse against what the camera is near to: points that the
-// labelled surface adds on its edges are rounded by as much, and its checker, which follows borders in doubles, loses its
-// way.
+// Returns whether the scene reaches so far that doubles out there are coarse against what the camera is near to. Points
+// that the labelled surface adds on its edges are rounded by as much, and its checker, which follows borders in
+// doubles, loses its way.
 bool has_coarse_doubles(const Mesh& mesh) {
   constexpr double far = 0x1p20;
   return std::ranges::any_of(mesh.vertices, [](const Point3& p) {

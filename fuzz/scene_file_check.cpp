@@ -36,7 +36,7 @@ void check_names(const Scene& scene) {
   }
 }
 
-// A tetrahedron around the origin with one face missing, and a square behind it.
+// Returns a tetrahedron around the origin with one face missing, and a square behind it.
 Mesh small_mesh() {
   PolygonList faces;
   faces.push_back(std::array{VertexId(0), VertexId(1), VertexId(2)});

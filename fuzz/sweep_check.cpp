@@ -10,7 +10,7 @@
 namespace sightline::fuzz {
 namespace {
 
-// Whether every image, clipped, has its corners on the integer oracle's grid.
+// Returns whether every image, clipped, has its corners on the integer oracle's grid.
 bool is_on_the_grid(const Mesh& mesh, const lattice::RandomScene& scene) {
   try {
     return lattice::oracle_faces(mesh, scene.camera, scene.sides).size() <= mesh.facet_count();

@@ -1,5 +1,5 @@
-// libFuzzer's entry to one check, which SIGHTLINE_FUZZ_CHECK names. An exception that leaves it ends the run, and the
-// input is kept.
+// This is libFuzzer's entry to one check, which SIGHTLINE_FUZZ_CHECK names. An exception that leaves it ends the run,
+// and the input is kept.
 #include <cstddef>
 #include <cstdint>
 

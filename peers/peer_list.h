@@ -1,4 +1,4 @@
-// Every peer, in the order in which a course would meet them.
+// Every peer is here, in the order in which a course would meet them.
 #pragma once
 
 #include <vector>

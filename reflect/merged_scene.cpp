@@ -13,8 +13,8 @@ void sort_distinct(std::vector<Item>& items, Order order) {
   items.erase(std::unique(items.begin(), items.end()), items.end());
 }
 
-// Two lists, each sorted and distinct, as one. Calls take(is_old, is_new) for each item of it, in order: which of the lists
-// have it at their head.
+// Merges two lists, each sorted and distinct. Calls take(is_old, is_new) for each item of it, in order: which of the
+// lists have it at their head.
 template <class Compare, class Take>
 void for_each_merged(std::size_t old_count, std::size_t new_count, Compare compare, Take take) {
   std::size_t i = 0;
@@ -53,7 +53,7 @@ class Merging {
   }
 
  private:
-  // The piece's own line, and those that cross at its ends.
+  // The lines are the piece's own, and those that cross at its ends.
   template <class Visit>
   static void for_each_line(const BorderPiece& piece, Visit visit) {
     visit(piece.line);
@@ -140,7 +140,7 @@ class Merging {
     return EdgeId(static_cast<std::size_t>(std::ranges::partition_point(real, before) - real.begin()));
   }
 
-  // Where a piece ends in a crossing.
+  // A piece ends here in a crossing.
   struct PieceEnd {
     CrossingPoint at;
     EdgeId a;
@@ -161,7 +161,8 @@ class Merging {
     return ends;
   }
 
-  // In sweep order. Of crossings at the same place the sweep's own comes first, if there is one, and stands for all.
+  // Crossings are numbered in sweep order. Of those at the same place the sweep's own comes first, if there is one, and
+  // stands for all.
   void number_crossings() {
     point_of_.resize(segments_.crossings.size() + 2 * pieces_.size());
     merged_.segments.crossings.clear();
@@ -198,8 +199,8 @@ class Merging {
     return scene_point_or_added({end.a, end.b, PointId{}}, end.at, 0, merged_.scene.points.size());
   }
 
-  // The scene point that is there, else the crossing. [first, end): of the scene points that come at or after it, the first
-  // is among these or is `end`.
+  // Returns the scene point that is there, else the crossing. Of the scene points that come at or after it, the first
+  // is in [first, end) or is `end`.
   PointId scene_point_or_added(Crossing crossing, const CrossingPoint& at, std::size_t first, std::size_t end) {
     const auto points = std::span(merged_.scene.points).subspan(first, end - first);
     const auto next =

@@ -11,7 +11,7 @@
 namespace sightline::inline reflect {
 namespace {
 
-// The segments of one surface, and the nearest of them left of a point.
+// This has the segments of one surface, and finds the nearest of them left of a point.
 class SurfaceBorder {
  public:
   SurfaceBorder(const ProjectedScene& scene, VisibleSegments& segments, const EdgeSides& sides,
@@ -27,7 +27,7 @@ class SurfaceBorder {
  private:
   [[nodiscard]] const VisibleSegment& segment(SegmentId s) const { return segments_.segments[s.index()]; }
 
-  // Of the hole's own segments none is left of its top.
+  // None of the hole's own segments is left of its top.
   [[nodiscard]] SegmentId left_of(PointId top) const {
     SegmentId nearest;
     for (const SegmentId s : ids_) {
@@ -40,7 +40,7 @@ class SurfaceBorder {
     return nearest;
   }
 
-  // Of two segments that the sweep line meets at once, and that do not cross.
+  // Precondition: the sweep line meets both segments at once, and they do not cross.
   [[nodiscard]] bool lies_right_of(const VisibleSegment& s, const VisibleSegment& t) const {
     const SweptLine of_s = sides_.line(s.edge);
     const SweptLine of_t = sides_.line(t.edge);
@@ -73,7 +73,7 @@ void for_each_surface(const CutMesh& mesh, const VisibleSegments& segments, Visi
   }
 }
 
-// The edges along which a surface that reflects is visible.
+// Returns the edges along which a surface that reflects is visible.
 std::map<FacetId, std::vector<EdgeId>> edges_of_reflecting(const VisibleSegments& reflecting, const CutMesh& mesh,
                                                            const VisibleSegments& visible) {
   std::map<FacetId, std::vector<EdgeId>> edges_of;

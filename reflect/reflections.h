@@ -7,9 +7,9 @@
 //      border; what splits a mesh edge is among the segments' splits, so that the labelled surface stays conforming.
 //      Polygons of different panels overlap only where these lie in one plane, on each other.
 // Modes: exact or smooth (reflection_options.h); marking triangles comes after labelling (reflecting_triangles.h).
-// Complexity: O(1) per visible polygon and panel where the pyramid misses the panel; else a search among the obstacles, and
-// what overlay.h and the sweep of their shadows cost (exact), or per square into which smooth_mirror.h divides it. Then that of merged_scene.h, and O(m v) to find where the m points
-// of a surface split its v visible edges.
+// Complexity: O(1) per visible polygon and panel where the pyramid misses the panel; else a search among the obstacles,
+// and what overlay.h and the sweep of their shadows cost (exact), or per square into which smooth_mirror.h divides it.
+// Then that of merged_scene.h, and O(m v) to find where the m points of a surface split its v visible edges.
 // Errors: InternalError; in float and double ArithmeticError instead.
 // Source: Koucky 2014, 3.9; see mirror.h and smooth_mirror.h for the departures.
 #pragma once
@@ -41,7 +41,7 @@ struct ReflectedView {
 [[nodiscard]] ReflectedView find_reflections(const MirrorWorld& world, const ProjectedScene& scene,
                                              const VisibleSegments& segments, const VisiblePolygons& polygons);
 
-// Of the reflecting polygons above resolution: what label_mesh wants to know.
+// Returns the borders of the reflecting polygons above resolution, as label_mesh wants them.
 [[nodiscard]] PanelBorders panel_borders(const Reflections& reflections);
 
 }  // namespace sightline::inline reflect

@@ -9,11 +9,10 @@
 #include "sweep/bands/bands.h"
 #include "sweep/bands/joined_segments.h"
 #include "sweep/bands/scene_part.h"
+#include "sweep/fast/cell_grid.h"
 #include "sweep/fast/covers.h"
-#include "sweep/fast/facet_outline.h"
 #include "sweep/fast/large_covers.h"
 #include "sweep/fast/roles.h"
-#include "sweep/fast/whole_surfaces.h"
 
 namespace sightline::inline sweep {
 namespace {
@@ -21,9 +20,9 @@ namespace {
 constexpr int highest_level = 11;
 constexpr std::size_t most_samples = 1 << 16;
 
-// Cells are as fine as so many pairs of a facet and a cell in its bounding box allow, per facet in view: contour edges then
-// touch few of them, and looking at all pairs still costs little. Where nothing continues, all is contour, and fine cells
-// have to find what can be left out.
+// Cells are as fine as so many pairs of a facet and a cell in its bounding box allow, per facet in view: contour edges
+// then touch few of them, and looking at all pairs still costs little. Where nothing continues, all is contour, and
+// fine cells have to find what can be left out.
 constexpr double pairs_of_surface_facet = 6;
 constexpr double pairs_of_lone_facet = 40;
 
@@ -37,7 +36,7 @@ double contour_share(const ProjectedScene& scene, const Continuation& continuati
   return static_cast<double>(contours) / static_cast<double>(std::max<std::size_t>(scene.edge_count(), 1));
 }
 
-// Per level of cells the pairs of all facets that are not known to be hidden, as a sample of them says.
+// Returns, per level of cells, the pairs of all facets that are not known to be hidden, as a sample of them says.
 std::array<double, highest_level + 1> pairs_by_level(const ProjectedScene& scene,
                                                      const std::vector<std::uint8_t>& hidden) {
   const CellGrid finest(scene.grid_bits, highest_level);
@@ -66,7 +65,7 @@ int level_for(const ProjectedScene& scene, const Continuation& continuation, con
   return level;
 }
 
-// Tells an observer where the sweeps of several bands are in the whole: how far all of them are together.
+// This tells an observer where the sweeps of several bands are in the whole: how far all of them are together.
 class BandObservers {
  public:
   BandObservers(const ProjectedScene& whole, SweepObserver* observer) : whole_(whole), observer_(observer) {}

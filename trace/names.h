@@ -23,20 +23,20 @@ struct SceneNames {
 
 [[nodiscard]] std::string name_of_vertex(VertexId v, const SceneNames& given);
 
-// Per point of the scene.
+// There is a name per point of the scene.
 [[nodiscard]] std::vector<std::string> names_of_points(const ProjectedScene& scene, const SceneNames& given);
-// Per face.
+// There is a name per face.
 [[nodiscard]] std::vector<std::string> names_of_faces(const CutMesh& mesh, const SceneNames& given);
 
 [[nodiscard]] std::string name_of_crossing(std::size_t number, const SceneNames& given);
 
-// "OP", or "v1-v12" where a name is longer than a letter.
+// Returns "OP", or "v1-v12" where a name is longer than a letter.
 [[nodiscard]] std::string name_of_edge(const std::string& upper, const std::string& lower);
 
-// Fang's 2D vertices: o for O, and d' for the second face that gets one at D.
+// Returns Fang's name of a 2D vertex: o for O, and d' for the second face that gets one at D.
 [[nodiscard]] std::string name_of_emitted(const std::string& point, std::size_t earlier);
 
-// "a", "a and b", "a, b and c".
+// Returns "a", "a and b", or "a, b and c".
 [[nodiscard]] std::string listed(const std::vector<std::string>& words);
 
 }  // namespace sightline::trace

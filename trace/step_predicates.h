@@ -9,8 +9,8 @@
 //                as a side, whether they cross;
 //   - depth:     for facets that are new neighbours in a node list, which is in front.
 // They are decided again here, by the functions that the sweep calls (image_decisions.h, crossing_point.h,
-// predicates.h, depth_ranges.h), tier by tier. So a sweep that is not traced pays nothing, and its counts are its
-// own. It asks for other sides on its way through the active edge list, and for fewer depths: only what is topmost counts.
+// predicates.h, depth_ranges.h), tier by tier. So a sweep that is not traced pays nothing, and its counts are its own.
+// It asks for other sides on its way through the active edge list, and for fewer depths: only what is topmost counts.
 // decided_by: integers (exact by their size, there is no filter), filter (double, with a proven bound), exact
 //      (integers of any size, where the filter did not decide), ranges (depths that do not overlap), rule (no
 //      arithmetic), float, double.
@@ -32,7 +32,7 @@ class StepPredicates {
  public:
   StepPredicates(const SweepLog& log, const SceneNames& names);
 
-  // From the nearest to the farthest, as Fang has his node lists; of the facets of a list, with its topmost one.
+  // Sorts the facets of a list, with its topmost one, from the nearest to the farthest, as Fang has his node lists.
   void sort_by_depth(std::vector<FacetId>& facets, FacetId topmost);
 
   [[nodiscard]] std::vector<LoggedPredicate> of(const SweepStep& step, std::span<const LoggedBundle> before,
@@ -49,7 +49,7 @@ class StepPredicates {
   Sign add_direction(EdgeId a, EdgeId b);
   void add_meeting(EdgeId left, EdgeId right);
   void add_depth(FacetId f, FacetId g);
-  // Whether the corners decide.
+  // Returns whether the corners decide.
   bool add_corners_against_plane(FacetId f, FacetId g);
   Sign add_corner_against_plane(VertexId v, FacetId plane);
   void add_verdict(FacetId f, FacetId g, const std::string& decided_by, const std::string& because);

@@ -69,7 +69,7 @@ bool has_side(EdgeId edge, FacetId facet, const SweepLog& log) {
   return std::any_of(sides.begin(), sides.end(), [&](const EdgeSide& side) { return side.facet == facet; });
 }
 
-// Whether no edge at the point is seen, and all are behind the facet that is topmost left of it.
+// Returns whether no edge at the point is seen, and all are behind the facet that is topmost left of it.
 bool is_behind(FacetId front, const SweepStep& step, const SweepLog& log) {
   for (const auto* edges : {&step.ended, &step.started, &step.passed}) {
     if (std::any_of(edges->begin(), edges->end(), [&](EdgeId e) { return has_side(e, front, log); })) return false;

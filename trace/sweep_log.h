@@ -17,15 +17,16 @@
 
 namespace sightline::trace {
 
-// Fang's figure 5.6. A vertex that lies on an edge which goes on is what its own edges make of it.
+// These are the points of Fang's figure 5.6. A vertex that lies on an edge which goes on is what its own edges make of
+// it.
 enum class PointKind : std::uint8_t { top, side, bottom, crossing };
 [[nodiscard]] const char* to_string(PointKind kind);
 
-// From 1 on; 0: none.
+// Numbers go from 1 on; 0 is none.
 using SegmentNumber = std::uint32_t;
 
-// One entry of the active edge list, with the node list of the span to its right: the topmost facet first, and then,
-// where depth is an order, shallowest first.
+// This is one entry of the active edge list, with the node list of the span to its right: the topmost facet first, and
+// then, where depth is an order, shallowest first.
 struct LoggedBundle {
   std::vector<EdgeId> edges;
   std::vector<FacetId> nodes;
@@ -33,7 +34,7 @@ struct LoggedBundle {
   SegmentNumber right_segment = 0;
 };
 
-// A vertex of the output that a face gets here: Fang's 2D vertex. Where several faces get one, they are told apart by
+// A face gets a vertex of the output here: Fang's 2D vertex. Where several faces get one, they are told apart by
 // primes: d and d'.
 struct EmittedVertex {
   FacetId surface;
@@ -45,7 +46,7 @@ struct Operand {
   std::vector<double> coordinates;  // in grid units (x, y), of the input (x, y, z, and w for the eye), or a depth
 };
 
-// A decision behind a step.
+// This is a decision behind a step.
 struct LoggedPredicate {
   std::string question;  // side | direction | order | depth
   std::string says;      // the answer in words
@@ -77,7 +78,7 @@ struct SweepStep {
   std::vector<LoggedPredicate> predicates;
 };
 
-// The visible segment with the number i + 1. It runs from the point of one step to that of another.
+// The visible segment has the number i + 1. It runs from the point of one step to that of another.
 struct LoggedSegment {
   FacetId surface;
   FacetId other;  // on its right, at its upper end; invalid: nothing

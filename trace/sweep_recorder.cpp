@@ -32,7 +32,7 @@ std::vector<EdgeId> edges_of(std::span<const LoggedBundle> bundles) {
   return edges;
 }
 
-// Whether a visible segment runs along it.
+// Returns whether a visible segment runs along it.
 bool is_seen(EdgeId edge, std::span<const LoggedBundle> bundles) {
   return std::any_of(bundles.begin(), bundles.end(), [&](const LoggedBundle& bundle) {
     const bool seen = bundle.left_segment != 0 || bundle.right_segment != 0;
@@ -44,7 +44,7 @@ bool contains(const std::vector<EdgeId>& edges, EdgeId edge) {
   return std::find(edges.begin(), edges.end(), edge) != edges.end();
 }
 
-// One per surface and point.
+// There is one per surface and point.
 std::string emit_vertex(FacetId surface, SweepStep& step) {
   for (const EmittedVertex& vertex : step.vertices) {
     if (vertex.surface == surface) return vertex.name;
@@ -150,7 +150,7 @@ void SweepRecorder::find_thread(const VisibleSegments& so_far, SweepStep& step) 
   step.thread = static_cast<SegmentNumber>(so_far.threads.back().segment.index() + 1);
 }
 
-// Of the spans that meet at the point; the outermost ones are the same above and below it.
+// The facets are those of the spans that meet at the point; the outermost ones are the same above and below it.
 void SweepRecorder::find_visibility(SweepStep& step) const {
   std::set<FacetId> above, below;
   const FacetId left = step.position > 0 ? topmost_surface(active_[step.position - 1]) : FacetId();

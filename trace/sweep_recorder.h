@@ -1,7 +1,7 @@
 // Writes down what a sweep does at each of its points.
 //
 // In:  the states of a sweep, as SweepObserver::look shows them.
-// Out: the steps and segments of a SweepLog; rings are not known before the end (rings_of_log.h).
+// Out: the steps and segments of a SweepLog; rings are not known before the end (trace_sweep.h).
 // Complexity: per step O(l) for the length l of the active edge list with its node lists, and what the predicates cost.
 // Errors: TooManySteps at the first sweep point beyond the limit.
 #pragma once
@@ -31,7 +31,7 @@ class TooManySteps : public Error {
 
 class SweepRecorder : public SweepObserver {
  public:
-  // log: has its scene and names; gets its steps and segments.
+  // `log` has its scene and names, and gets its steps and segments.
   SweepRecorder(const SceneNames& names, std::size_t most_steps, SweepLog& log);
 
   void at(const SweepPoint& /*point*/) override {}

@@ -16,7 +16,7 @@ Kind opposite(Kind kind) {
   return kind == Kind::below ? Kind::above : kind;
 }
 
-// Of what grows with both.
+// Returns the kind of a figure that grows with both.
 Kind together(Kind a, Kind b) {
   if (!says_something(a)) return a;
   if (!says_something(b) || a == Kind::exactly) return b;

@@ -28,8 +28,8 @@ struct Figure {
 
 [[nodiscard]] constexpr Figure exactly(double value) { return {Figure::Kind::exactly, value}; }
 
-// The number at `index` of what a run gave; above the limit where it was out of time. A rival that is not installed ends
-// without numbers.
+// Returns the number at `index` of what a run gave; it is above the limit where the run was out of time. A rival that
+// is not installed ends without numbers.
 [[nodiscard]] Figure figure_of(const Outcome& outcome, std::size_t index, const RunLimits& limits);
 
 [[nodiscard]] Figure ratio(const Figure& a, const Figure& b);
@@ -39,10 +39,10 @@ struct Growth {
   double to = 1;
 };
 
-// The exponent e with last / first = (to / from)^e.
+// Returns the exponent e with last / first = (to / from)^e.
 [[nodiscard]] Figure exponent(const Figure& first, const Figure& last, const Growth& size);
 
-// Three digits, or an integer, with "> " or "< " before a bound, or a word.
+// Returns three digits, or an integer, with "> " or "< " before a bound, or a word.
 [[nodiscard]] std::string text_of(const Figure& figure);
 
 struct Goal {
@@ -51,7 +51,7 @@ struct Goal {
   double value = 1;
 };
 
-// "yes", "no", or "not known".
+// Returns "yes", "no", or "not known".
 [[nodiscard]] std::string reached(const Figure& figure, const Goal& goal);
 
 }  // namespace sightline::bench

@@ -23,7 +23,7 @@ std::vector<double> numbers_of(const std::string& bytes) {
   return numbers;
 }
 
-// The runs of one work so far.
+// These are the runs of one work so far.
 struct Runs {
   Outcome::End end = Outcome::End::done;
   std::vector<std::vector<double>> numbers;
@@ -39,7 +39,7 @@ void run_again(const Work& work, const RunLimits& limits, Runs& runs) {
   runs.numbers.push_back(std::move(outcome.numbers));
 }
 
-// Of each number; of the last run none are there if it did not end.
+// Returns the median of each number; the last run has none if it did not end.
 std::vector<double> medians(const std::vector<std::vector<double>>& runs) {
   std::vector<double> result;
   for (std::size_t i = 0; i < runs.back().size(); ++i) {

@@ -27,8 +27,8 @@ struct RunLimits {
 
 [[nodiscard]] Outcome run_once(const Work& work, double limit_seconds);
 
-// One run of each, then another of each, and so on: what slows the machine for a while slows them all, and leaves their
-// ratios. One that does not end is not run again.
+// Each work runs once, then each a second time, and so on: what slows the machine for a while slows them all, and
+// leaves their ratios. One that does not end is not run again.
 [[nodiscard]] std::vector<Outcome> run_in_turns(const std::vector<Work>& works, const RunLimits& limits);
 
 }  // namespace sightline::bench

@@ -55,8 +55,8 @@ RTCScene build_hierarchy(RTCDevice device, const CutMesh& mesh) {
   return scene;
 }
 
-// The directions of a camera's rays: along + x * across + y * upwards for the place (x, y) of the window. They are the
-// columns of the inverse of the camera's rows.
+// The directions of a camera's rays are along + x * across + y * upwards for the place (x, y) of the window. They are
+// the columns of the inverse of the camera's rows.
 struct RayFan {
   explicit RayFan(const Camera& camera) {
     const double scale = 1 / dot(camera.right, cross(camera.up, camera.forward));

@@ -1,10 +1,4 @@
-// What the same scene costs the rivals.
-//
-// In:  a scene, prepared for those that read files or know no camera.
-// Out: work to be run in processes of their own, and of its outcomes the figures, in seconds of processor time;
-//      `not_installed` for those that are not.
-// Complexity: of projecting and writing the scene; the work is that of the rivals. Errors: std::runtime_error where the
-//      scene cannot be written; an error of a rival makes its figure `failed`.
+// These figures say what the same scene costs the rivals.
 #pragma once
 
 #include <filesystem>
@@ -35,7 +29,7 @@ class RivalWorks {
   // They refer to this and to the scene.
   [[nodiscard]] std::vector<Work> works() const;
 
-  // Of outcomes in the order of the works.
+  // The outcomes are in the order of the works.
   [[nodiscard]] static RivalFigures figures(std::span<const Outcome> outcomes, const RunLimits& limits);
 
  private:

@@ -16,25 +16,25 @@
 
 namespace sightline::bench {
 
-// tinyobjloader: a file to positions (as float, its default) and triangles.
+// tinyobjloader takes a file to positions (as float, its default) and triangles.
 [[nodiscard]] std::optional<double> seconds_to_parse(const std::filesystem::path& obj);
 
-// std::sort by sweeps_before, after shuffling that does not count.
+// std::sort sorts by sweeps_before, after shuffling that does not count.
 [[nodiscard]] double seconds_to_sort(std::vector<ImagePoint> points);
 
-// Embree: the hierarchy of boxes over the facets, and the nearest facet for the centre of each of 2048 x 2048 pixels.
-// The camera is a pinhole.
+// Embree builds the hierarchy of boxes over the facets, and finds the nearest facet for the centre of each of 2048 x
+// 2048 pixels. The camera is a pinhole.
 struct EmbreeSeconds {
   double hierarchy = 0;
   double rays = 0;
 };
 [[nodiscard]] std::optional<EmbreeSeconds> seconds_of_embree(const CutMesh& mesh, const Camera& camera);
 
-// CGAL: lower_envelope_3, with exact predicates and constructions.
+// CGAL runs lower_envelope_3, with exact predicates and constructions.
 [[nodiscard]] std::optional<double> seconds_of_cgal(const std::vector<ProjectedTriangle>& triangles);
 
-// gl2ps: a binary space partition and the removal of what is hidden, in an image of 2048 x 2048, in single precision. As the
-// format that leaves out all drawing: nothing is written.
+// gl2ps makes a binary space partition and removes what is hidden, in an image of 2048 x 2048, in single precision. Its
+// format leaves out all drawing: nothing is written.
 [[nodiscard]] std::optional<double> seconds_of_gl2ps(const std::vector<ProjectedTriangle>& triangles);
 
 }  // namespace sightline::bench

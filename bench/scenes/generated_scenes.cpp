@@ -16,7 +16,8 @@ Point3 folded_sphere_point(double latitude, double longitude) {
 
 }  // namespace
 
-// Rings of latitude between two poles; 2 rows * columns triangles, twice as many columns as rows.
+// The sphere has rings of latitude between two poles; these are 2 rows * columns triangles, with twice as many columns
+// as rows.
 Mesh folded_sphere(std::size_t triangles) {
   const auto rows = static_cast<std::size_t>(std::sqrt(static_cast<double>(triangles) / 4));
   const std::size_t columns = 2 * rows;
@@ -65,7 +66,7 @@ Camera grazing_view() {
   return perspective_camera("grazing", {{0.3, 0.5, 2.2}, {0, 0, 0}, {0, 1, 0}, 1.6, {}, {}}, 50);
 }
 
-// Beside the axis, so that vertices of grids one behind the other do not fall on each other.
+// The eye is beside the axis, so that vertices of grids one behind the other do not fall on each other.
 Camera view_into_box() {
   return perspective_camera("into the box", {{0.0513, 0.0287, 4}, {0, 0, 0}, {0, 1, 0}, 1, {}, {}}, 38);
 }

@@ -15,16 +15,16 @@ struct Grid {
   std::size_t columns = 1;
 };
 
-// Nearly square, with about so many cells.
+// The grid is nearly square, with about so many cells.
 Grid grid_of(double cells) {
   const double rows = std::max(1.0, std::floor(std::sqrt(cells)));
   return {static_cast<std::size_t>(rows), static_cast<std::size_t>(std::max(1.0, std::round(cells / rows)))};
 }
 
-// In [-1, 1].
+// The place is in [-1, 1].
 double place(std::size_t i, std::size_t of) { return 2 * static_cast<double>(i) / static_cast<double>(of) - 1; }
 
-// Waves of a third of the distance, whose phase differs from sheet to sheet.
+// The waves are a third of the distance high, and their phase differs from sheet to sheet.
 void add_vertices(std::vector<Point3>& vertices, const Grid& grid, double behind) {
   for (std::size_t r = 0; r <= grid.rows; ++r) {
     for (std::size_t c = 0; c <= grid.columns; ++c) {

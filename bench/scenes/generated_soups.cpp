@@ -25,7 +25,7 @@ Vector3 random_direction(Random& random) {
   }
 }
 
-// A circle around the middle, in a random plane, has the corners: a third of it apart but for 45 degrees each way.
+// The corners are on a circle around the middle, in a random plane: a third of it apart but for 45 degrees each way.
 Triangle random_triangle(const Point3& middle, double radius, Random& random) {
   const Vector3 u = random_direction(random);
   const Vector3 across = cross(u, random_direction(random));
@@ -59,8 +59,8 @@ void shuffle(std::vector<Triangle>& triangles, Random& random) {
   for (std::size_t i = triangles.size(); i > 1; --i) std::swap(triangles[i - 1], triangles[random.below(i)]);
 }
 
-// As many layers as it takes, pressed together to the box's depth: that changes neither what is in front of what nor
-// which planes part which triangles.
+// The soup has as many layers as it takes, pressed together to the box's depth: that changes neither what is in front
+// of what nor which planes part which triangles.
 Mesh soup(std::size_t count, double radius) {
   Random random(count);
   std::vector<Triangle> triangles;

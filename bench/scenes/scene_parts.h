@@ -1,5 +1,5 @@
-// What the generators of scenes share: random numbers that are the same in every run, coordinates as files have them, and
-// triangles.
+// The generators of scenes share these: random numbers that are the same in every run, coordinates as files have them,
+// and triangles.
 #pragma once
 
 #include <array>
@@ -16,13 +16,13 @@ class Random {
  public:
   explicit Random(std::uint64_t seed) : state_(mix(seed)) {}
 
-  // Uniform in [0, 1).
+  // The number is uniform in [0, 1).
   [[nodiscard]] double unit() { return static_cast<double>(next() >> 11U) * 0x1p-53; }
 
-  // Uniform in [low, high).
+  // The number is uniform in [low, high).
   [[nodiscard]] double between(double low, double high) { return low + (high - low) * unit(); }
 
-  // Uniform in 0, ..., count - 1, but for a bias of count / 2^53.
+  // The number is uniform in 0, ..., count - 1, but for a bias of count / 2^53.
   [[nodiscard]] std::size_t below(std::size_t count) {
     return static_cast<std::size_t>(unit() * static_cast<double>(count));
   }
@@ -32,7 +32,7 @@ class Random {
   std::uint64_t state_;
 };
 
-// Rounded to seven decimals: what "%.9g" writes of it, for coordinates below 100, reads back as the same double.
+// The coordinates are rounded to seven decimals: what "%.9g" writes of them, below 100, reads back as the same double.
 [[nodiscard]] inline Point3 as_in_a_file(const Point3& p) {
   const auto rounded = [](double x) { return std::round(x * 1e7) / 1e7; };
   return {rounded(p.x), rounded(p.y), rounded(p.z)};
@@ -43,8 +43,8 @@ inline void add_triangle(PolygonList& faces, std::size_t a, std::size_t b, std::
   faces.push_back(corners);
 }
 
-// The two triangles of a cell of a grid whose rows have `row` vertices each, counter-clockwise where rows go down and
-// columns to the right.
+// Adds the two triangles of a cell of a grid whose rows have `row` vertices each, counter-clockwise where rows go down
+// and columns to the right.
 inline void add_cell(PolygonList& faces, std::size_t corner, std::size_t row) {
   add_triangle(faces, corner, corner + row, corner + 1);
   add_triangle(faces, corner + 1, corner + row, corner + row + 1);

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// All of it, from the front and a little above.
+// The camera sees all of it, from the front and a little above.
 Camera camera_before(const Mesh& mesh) {
   Box box{mesh.vertices.front(), mesh.vertices.front()};
   for (const Point3& p : mesh.vertices) box = hull(box, {p, p});

@@ -21,7 +21,7 @@ std::vector<SceneMaker> of_sizes(const SceneOfSize& make, const std::vector<std:
   return makers;
 }
 
-// 100, 300, 1000, 3000, ...
+// The sizes are 100, 300, 1000, 3000, ...
 std::vector<std::size_t> sizes_for_cgal(std::size_t largest) {
   std::vector<std::size_t> sizes;
   for (std::size_t power = 100; power <= largest; power *= 10) {

@@ -20,7 +20,7 @@ namespace sightline::bench {
 using namespace cli;
 namespace {
 
-// Of numbers in their order. As a double: its upper 53 bits.
+// The digest depends on the numbers and their order. As a double it has its upper 53 bits.
 class Digest {
  public:
   void add(std::uint64_t number) { state_ = mix(state_ ^ number); }
@@ -82,7 +82,7 @@ std::vector<double> run_writing(const std::shared_ptr<const CutMesh>& mesh, cons
   return {visibility, writing, static_cast<double>(bytes_in(folder)) / 1e6};
 }
 
-// A folder that is there as long as the value is.
+// The folder is there as long as the value is.
 class TemporaryFolder {
  public:
   TemporaryFolder() {

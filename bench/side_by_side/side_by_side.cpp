@@ -1,10 +1,11 @@
-// sightline next to its limits and its rivals, on the same inputs, in one run, each on one thread but where threads are
-// compared.
+// sightline runs next to its limits and its rivals, on the same inputs, in one run, each on one thread but where
+// threads are compared.
 //
 //     build/release/bench/sightline_side_by_side [--quick] [--sizes N,N,...] [--only sphere,terrain,...] [--help]
 //
-// Prints Markdown: per family of scenes the seconds of each stage and of each rival, the ratios, and which goals are reached.
-// Times are of the processor, not of the clock on the wall, medians of several runs. "> 60" is a run that was stopped.
+// Prints Markdown: per family of scenes the seconds of each stage and of each rival, the ratios, and which goals are
+// reached. Times are of the processor, not of the clock on the wall, medians of several runs. "> 60" is a run that was
+// stopped.
 
 #include <fmt/format.h>
 #include <tbb/global_control.h>

@@ -19,7 +19,7 @@ class GoalRows {
  public:
   explicit GoalRows(const std::vector<FamilyResult>& results) : results_(&results) {}
 
-  // Null where it was not measured.
+  // Returns null where it was not measured.
   [[nodiscard]] const FamilyResult* family(const std::string& number) const {
     const auto found = std::find_if(results_->begin(), results_->end(),
                                     [&](const FamilyResult& result) { return result.family.number == number; });

@@ -1,8 +1,8 @@
 // Which of the goals are reached.
 //
 // In:  the results of all families, and of what else was measured.
-// Out: a Markdown table: the goal, what was measured, whether that is enough. A goal whose scenes were not measured has no
-//      row. A further goal is a further function that adds rows.
+// Out: a Markdown table: the goal, what was measured, whether that is enough. A goal whose scenes were not measured has
+//      no row. A further goal is a further function that adds rows.
 // Complexity: O(rows). Errors: none.
 #pragma once
 

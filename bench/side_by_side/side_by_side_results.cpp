@@ -13,7 +13,7 @@ void say(const SceneFamily& family, const std::string& label, const std::string&
   fmt::print(stderr, "{} {}: {}\n", family.name, label, what);
 }
 
-// sightline and the rivals in turns; of double arithmetic only where the family compares it.
+// Measures sightline and the rivals in turns; double arithmetic only where the family compares it.
 SceneResult measure_scene(const SceneFamily& family, const SceneMaker& maker, const SideBySideOptions& options) {
   say(family, maker.label, "sightline and rivals");
   const BenchScene scene = maker.make();

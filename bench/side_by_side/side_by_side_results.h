@@ -1,9 +1,10 @@
 // Measuring a family of scenes.
 //
 // In:  a family, options.
-// Out: a row of figures per scene, and for CGAL rows without the scenes that are too large for it to end within the limit.
-// Complexity: of what is measured. Errors: those of making the scenes, std::runtime_error where a file for a rival cannot
-//      be written.
+// Out: a row of figures per scene, and for CGAL rows without the scenes that are too large for it to end within the
+//      limit.
+// Complexity: of what is measured. Errors: those of making the scenes, std::runtime_error where a file for a rival
+//      cannot be written.
 #pragma once
 
 #include <string>
@@ -41,7 +42,7 @@ struct FamilyResult {
 
 [[nodiscard]] FamilyResult measure_family(const SceneFamily& family, const SideBySideOptions& options);
 
-// Of the rows for CGAL in which it ended the one with the most triangles; null: none.
+// Returns, of the rows for CGAL in which it ended, the one with the most triangles; null where there is none.
 [[nodiscard]] const CgalResult* largest_that_cgal_ends(const FamilyResult& result);
 
 }  // namespace sightline::bench

@@ -14,7 +14,7 @@ bool is_prepared(const FamilyResult& result) {
                      [](const SceneResult& scene) { return scene.preparation > 0; });
 }
 
-// Seconds.
+// The times are in seconds.
 std::string times_table(const FamilyResult& result) {
   std::vector<TableRow> rows;
   for (const SceneResult& scene : result.scenes) {

@@ -1,6 +1,4 @@
-// What was measured, as Markdown tables.
-//
-// In:  results. Out: text. Complexity: O(text). Errors: none.
+// These tables show in Markdown what was measured.
 #pragma once
 
 #include <string>
@@ -10,7 +8,7 @@
 
 namespace sightline::bench {
 
-// A heading, the times, the ratios, and the rows for CGAL.
+// Returns a heading, the times, the ratios, and the rows for CGAL.
 [[nodiscard]] std::string family_tables(const FamilyResult& result);
 
 [[nodiscard]] std::string reflection_table(std::size_t triangles, const ReflectionFigures& figures);

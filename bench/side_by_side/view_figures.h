@@ -1,10 +1,4 @@
-// What one view of a scene costs sightline: time per stage, and memory.
-//
-// In:  a scene, the arithmetic, limits.
-// Out: work to be run in a process of its own, where it finds no memory that an earlier one has left; and of its outcome
-//      the figures, in seconds of processor time. Memory is the peak above what the mesh holds before the first stage, per
-//      facet.
-// Complexity: of the stages. Errors: none; an error of a stage makes the figures `failed`.
+// These figures say what one view of a scene costs sightline: time per stage, and memory.
 #pragma once
 
 #include "bench/measuring/figure.h"
@@ -26,7 +20,8 @@ struct ViewFigures {
 [[nodiscard]] Work view_work(const BenchScene& scene, Arithmetic arithmetic = Arithmetic::exact);
 [[nodiscard]] ViewFigures view_figures(const Outcome& outcome, const RunLimits& limits);
 
-// What a square lamp over a terrain costs, all of which is seen from above: the reflection, and the view without it.
+// These say what a square lamp over a terrain costs, all of which is seen from above: the reflection, and the view
+// without it.
 struct ReflectionFigures {
   Figure reflection;
   Figure visibility;

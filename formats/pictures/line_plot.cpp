@@ -40,7 +40,7 @@ std::string ring(double x, double y) {
       "<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"9\" fill=\"none\" stroke-width=\"1.2\" class=\"doubtful\"/>", x, y);
 }
 
-// Broken where a point has no result.
+// The line is broken where a point has no result.
 std::string line(const PlotSeries& series, const PlotAxes& axes) {
   std::string path;
   char command = 'M';

@@ -1,8 +1,8 @@
 // A log-log line plot as SVG, drawn as in a textbook: axes with ticks, labels, a legend; curves differ in colour and in
 // marker, so that they can be told apart without colours too.
 //
-// In:  series of points with x > 0 in any order of the axis (it runs from the first value of `x_values` to the last) and
-//      y >= 0.
+// In:  series of points with x > 0 in any order of the axis (it runs from the first value of `x_values` to the last)
+//      and y >= 0.
 // Out: a self-contained SVG element of fixed size. y = 0 has a row of its own at the bottom, below the lowest decade; a
 //      point without a value has one at the top.
 // Errors: none.

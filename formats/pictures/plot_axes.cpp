@@ -22,7 +22,7 @@ std::string power_of_ten(int exponent) {
   return text;
 }
 
-// Every how many decades there is a tick.
+// Returns every how many decades there is a tick.
 int tick_step(int decades) {
   for (const int step : {1, 2, 3, 5, 10, 20, 50, 100}) {
     if (decades / step <= most_ticks) return step;

@@ -1,4 +1,5 @@
-// The frame of a log-log plot: where values go, ticks at powers of ten, the rows for 0 and for what has no result.
+// A log-log plot has a frame: it says where values go, and has ticks at powers of ten, and rows for 0 and for what has
+// no result.
 #pragma once
 
 #include <string>
@@ -20,10 +21,10 @@ class PlotAxes {
 
   [[nodiscard]] double x(double value) const;
   [[nodiscard]] double y(double value) const;
-  // Of the series that is drawn as number `row`.
+  // Returns the y for points without a result of the series that is drawn as number `row`.
   [[nodiscard]] static double no_result_y(std::size_t row);
 
-  // Everything but the curves and the legend.
+  // Returns everything but the curves and the legend.
   [[nodiscard]] std::string drawn() const;
 
  private:

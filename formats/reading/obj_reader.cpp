@@ -11,7 +11,7 @@ namespace sightline::inline formats {
 
 namespace {
 
-// The bytes of a file, in order.
+// Returns the bytes of a file, in order.
 ByteSource bytes_of(const std::filesystem::path& file) {
   std::error_code unused;
   if (std::filesystem::is_directory(file, unused))
@@ -25,7 +25,7 @@ ByteSource bytes_of(const std::filesystem::path& file) {
   };
 }
 
-// "3, 7, 12", at most ten of them.
+// Returns a list like "3, 7, 12", of at most ten of them.
 std::string id_list(std::span<const FaceId> faces) {
   std::string list;
   for (std::size_t i = 0; i < faces.size() && i < 10; ++i) {

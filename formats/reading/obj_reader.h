@@ -1,7 +1,7 @@
 // Wavefront OBJ: the vertices and faces of a file, as a mesh.
 //
-// In:  the statements `v x y z` and `f v[/[vt][/[vn]]] ...`, and `vn x y z` where normals are asked for; everything else
-//      is passed over, and no other file is ever opened (mtllib, call).
+// In:  the statements `v x y z` and `f v[/[vt][/[vn]]] ...`, and `vn x y z` where normals are asked for; everything
+//      else is passed over, and no other file is ever opened (mtllib, call).
 // Out: the mesh, with every coordinate the correctly rounded double of what the file says, and one line for each kind
 //      of thing that was skipped or mended (ids are face indices from 0).
 //
@@ -53,7 +53,7 @@ struct ObjFile {
 [[nodiscard]] ObjFile read_obj(const std::filesystem::path& file, const ReadLimits& limits = {},
                                Normals normals = Normals::passed_over);
 
-// The same from text in memory; file_name is for messages.
+// Reads the same from text in memory; file_name is for messages.
 [[nodiscard]] ObjFile read_obj(std::string_view text, const std::string& file_name, const ReadLimits& limits = {},
                                Normals normals = Normals::passed_over);
 

@@ -22,14 +22,15 @@ std::string_view without_sign(std::string_view token) {
   return token.starts_with('+') || token.starts_with('-') ? token.substr(1) : token;
 }
 
-// The exponent of a decimal number whose digits end at `mantissa`, cut to what no file's length can make up for.
+// Returns the exponent of a decimal number whose digits end at `mantissa_end`, cut to what no file's length can make up
+// for.
 std::int64_t decimal_exponent(std::string_view number, std::size_t mantissa_end) {
   if (mantissa_end == number.size()) return 0;
   const auto exponent = parse_integer(number.substr(mantissa_end + 1)).value_or(0);
   return std::clamp(exponent, -(std::int64_t{1} << 60), std::int64_t{1} << 60);
 }
 
-// For a number that std::from_chars finds out of range: whether it is too small, not too large.
+// Returns, for a number that std::from_chars finds out of range, whether it is too small, not too large.
 bool is_below_range(std::string_view number) {
   const std::size_t mantissa_end = std::min(number.find_first_of("eE"), number.size());
   const std::string_view mantissa = number.substr(0, mantissa_end);
@@ -77,7 +78,7 @@ bool ObjScanner::refill(std::size_t count) {
   return static_cast<std::size_t>(end_ - here_) >= count;
 }
 
-// After a backslash that ends its line (or the text): its length with the line end, else 0.
+// Returns, after a backslash that ends its line (or the text), its length with the line end, else 0.
 std::size_t ObjScanner::continuation_length() {
   if (*here_ != '\\') return 0;
   (void)has(3);

@@ -21,7 +21,7 @@
 
 namespace sightline::inline formats {
 
-// Fills the span from its front and returns how many bytes it has put there; 0 at the end of the text.
+// A source fills the span from its front and returns how many bytes it has put there; 0 at the end of the text.
 using ByteSource = std::function<std::size_t(std::span<char>)>;
 
 // A token of more than this many bytes is an error.
@@ -38,20 +38,20 @@ class ObjScanner {
   ObjScanner(const ObjScanner&) = delete;
   ObjScanner& operator=(const ObjScanner&) = delete;
 
-  // Whether the text goes on with these bytes (at most three); if so, leaves them behind.
+  // Returns whether the text goes on with these bytes (at most three); if so, leaves them behind.
   bool skip(std::string_view bytes);
 
   // Leaves the rest of this statement; returns the first token of the next one that is not empty, empty at the end.
   std::string_view next_statement();
 
-  // The next token of this statement, empty at its end.
+  // Returns the next token of this statement, empty at its end.
   std::string_view next_token();
 
-  // The line of the last token, from 1.
+  // Returns the line of the last token, from 1.
   [[nodiscard]] std::size_t line() const { return line_; }
 
  private:
-  // Whether the text has so many bytes from here on; if so, they are in one piece at here_.
+  // Returns whether the text has so many bytes from here on; if so, they are in one piece at here_.
   bool has(std::size_t count) { return static_cast<std::size_t>(end_ - here_) >= count || refill(count); }
   bool refill(std::size_t count);
   void make_room();
@@ -70,15 +70,16 @@ class ObjScanner {
   bool in_statement_ = false;
 };
 
-// The double nearest to a decimal number (ties to even): digits with an optional point, optional sign and exponent.
-// Below the range of double this is a denormal or a zero with the number's sign. Throws std::invalid_argument, with the
-// cause, if it is no number, not finite, or beyond the range of double.
+// Returns the double nearest to a decimal number (ties to even), which is digits with an optional point, optional sign
+// and exponent. Below the range of double this is a denormal or a zero with the number's sign. Throws
+// std::invalid_argument, with the cause, if it is no number, not finite, or beyond the range of double.
 [[nodiscard]] double parse_coordinate(std::string_view token);
 
-// An integer with an optional sign; nullopt if it is none. What does not fit 64 bits becomes the nearest that does.
+// Returns an integer with an optional sign; nullopt if it is none. What does not fit 64 bits becomes the nearest that
+// does.
 [[nodiscard]] std::optional<std::int64_t> parse_integer(std::string_view token);
 
-// The token for use in a message: in quotes, unprintable bytes as \xHH, cut after 40 bytes.
+// Returns the token for use in a message: in quotes, unprintable bytes as \xHH, cut after 40 bytes.
 [[nodiscard]] std::string quoted(std::string_view token);
 
 }  // namespace sightline::inline formats

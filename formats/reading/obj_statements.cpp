@@ -13,7 +13,7 @@ namespace sightline::inline formats {
 
 namespace {
 
-// Keywords that add nothing to the surface: attributes, groups, rendering, points and lines.
+// These keywords add nothing to the surface: they are for attributes, groups, rendering, points and lines.
 constexpr std::array passed_over{"vt",  "vn",       "vp",       "p",          "l",        "o",      "g",
                                  "s",   "mg",       "usemtl",   "mtllib",     "usemap",   "maplib", "bevel",
                                  "lod", "c_interp", "d_interp", "shadow_obj", "trace_obj"};
@@ -42,7 +42,8 @@ class StatementParser {
   void parse_face();
   VertexId parse_corner(std::string_view token);
   VertexId resolve(std::int64_t index, std::string_view token);
-  // The attribute, counted from 0, that an optional index into `count` of them names; nothing where the index is empty.
+  // This is the attribute, counted from 0, that an optional index into `count` of them names; it is nothing where the
+  // index is empty.
   struct Attribute {
     bool missing = false;  // the index names nothing
     std::optional<std::size_t> number;
@@ -168,7 +169,7 @@ StatementParser::Attribute StatementParser::attribute(std::string_view token, st
   return {false, static_cast<std::size_t>(*index > 0 ? *index - 1 : end + *index)};
 }
 
-// Of VT or VT/VN. The normal, where it is given and asked for, else zero.
+// Parses what follows the vertex: VT or VT/VN. Returns the normal where it is given and asked for, else zero.
 Vector3 StatementParser::parse_attributes(std::string_view token, std::string_view attributes) {
   const std::size_t slash = std::min(attributes.find('/'), attributes.size());
   const Attribute texture = attribute(token, texture_count_, attributes.substr(0, slash));
@@ -180,7 +181,7 @@ Vector3 StatementParser::parse_attributes(std::string_view token, std::string_vi
 
 void StatementParser::check_memory() const {
   const PolygonList& faces = result_.faces;
-  // Normals twice over: while a list grows.
+  // Normals count twice: so many are held while a list grows.
   const std::uint64_t needed = memory_for_mesh(result_.vertices.size(), faces.corners.size(), faces.size()) +
                                2 * sizeof(Vector3) * (normals_.size() + result_.corner_normals.size());
   if (needed <= limits_.memory) return;
@@ -203,11 +204,11 @@ void StatementParser::check_forward_references() const {
 
 }  // namespace
 
-// Measured with sightline_memory (bench/memory_bench.cpp) on generated surfaces of 10^4 and 10^5 triangles and on meshes
-// of public collections: what reading, building, looking for contacts and projecting held at once was at most 130 bytes
-// per corner of a facet, vertices included, where facets share vertices, and 260 where none do. A face of k corners makes
-// at most k - 2 triangles. The rest are upper bounds from what is kept: per vertex its position twice over while the list
-// grows, its sorting and welding; per face its bookkeeping.
+// Measured with sightline_memory (bench/memory_bench.cpp) on generated surfaces of 10^4 and 10^5 triangles and on
+// meshes of public collections: what reading, building, looking for contacts and projecting held at once was at most
+// 130 bytes per corner of a facet, vertices included, where facets share vertices, and 260 where none do. A face of k
+// corners makes at most k - 2 triangles. The rest are upper bounds from what is kept: per vertex its position twice
+// over while the list grows, its sorting and welding; per face its bookkeeping.
 std::uint64_t memory_for_mesh(std::uint64_t vertices, std::uint64_t corners, std::uint64_t faces) {
   const std::uint64_t of_triangles = 3 * (corners - std::min(corners, 2 * faces));
   return (std::uint64_t{8} << 20) + 96 * vertices + 160 * std::max(corners, of_triangles) + 64 * faces;

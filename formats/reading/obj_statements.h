@@ -1,4 +1,5 @@
-// The statements of an OBJ file that make geometry, without a mesh yet; obj_reader.h says what is read and refused.
+// The statements of an OBJ file that make geometry are read here, without a mesh yet; obj_reader.h says what is read
+// and refused.
 #pragma once
 
 #include <cstddef>
@@ -33,8 +34,8 @@ enum class Normals : std::uint8_t { passed_over, read };
 // quarter of a minute.
 constexpr std::size_t most_corners = 10000;
 
-// What it takes to hold the statements, to build a mesh of them, to look for facets that meet, and to project it: a
-// measured upper bound (obj_statements.cpp says how) where no more facets meet than there are.
+// Returns what it takes to hold the statements, to build a mesh of them, to look for facets that meet, and to project
+// it: a measured upper bound (obj_statements.cpp says how) where no more facets meet than there are.
 [[nodiscard]] std::uint64_t memory_for_mesh(std::uint64_t vertices, std::uint64_t corners, std::uint64_t faces);
 
 // Takes the text from the scanner, which is at its beginning. Throws InputError.

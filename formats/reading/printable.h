@@ -1,4 +1,4 @@
-// Bytes of an input file as they can stand in a message: one line, whatever they are.
+// Bytes of an input file are written here as they can stand in a message: one line, whatever they are.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace sightline::inline formats {
 
-// The first `most` bytes, and three dots if there are more; what is not printable ASCII as \xNN.
+// Returns the first `most` bytes, and three dots if there are more; what is not printable ASCII as \xNN.
 [[nodiscard]] std::string printable(std::string_view text, std::size_t most = 40);
 
 }  // namespace sightline::inline formats

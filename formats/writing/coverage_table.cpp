@@ -14,7 +14,7 @@ void add_areas(TextBuffer& out, double visible, double reflecting, double whole)
       << '\n';
 }
 
-// The rows in all.
+// These are the rows of the whole table.
 class Rows {
  public:
   Rows(TextBuffer& out, const Coverage& coverage) : out_(out), coverage_(coverage) {}

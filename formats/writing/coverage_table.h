@@ -1,9 +1,10 @@
-// coverage.csv: what cameras and panels cover, each for itself and together (coverage.h in reflect/).
+// coverage.csv says what cameras and panels cover, each for itself and together (coverage/coverage.h).
 //
-// A row's face, camera and panel say what it is about; an empty field means all of them. First in all: each camera with
-// each panel, each camera, each panel, everything. Then everything per face, in file order, index from 0.
-// visible_area is that of the camera or cameras, whatever the panel. Shares are of the surface's area, or of the face's;
-// 0 where that has no area. Without panels nothing reflects. A name with a comma is in quotation marks (RFC 4180).
+// A row's face, camera and panel say what it is about; an empty field means all of them. The first rows are of all
+// faces: each camera with each panel, each camera, each panel, everything. Then everything follows per face, in file
+// order, index from 0. visible_area is that of the camera or cameras, whatever the panel is. Shares are of the
+// surface's area, or of the face's; they are 0 where that has no area. Without panels nothing reflects. A name with a
+// comma is in quotation marks (RFC 4180).
 #pragma once
 
 #include <string>
@@ -14,11 +15,11 @@ namespace sightline::inline formats {
 
 constexpr const char* coverage_file = "coverage.csv";
 
-// cameras, panels: their names, as many as the coverage has.
+// `cameras` and `panels` are their names, as many as the coverage has.
 [[nodiscard]] std::string coverage_table(const Coverage& coverage, const std::vector<std::string>& cameras,
                                          const std::vector<std::string>& panels);
 
-// Of an area within another one, in [0, 1].
+// Returns the share of an area within another one, in [0, 1].
 [[nodiscard]] double share_of(double part, double whole);
 
 }  // namespace sightline::inline formats

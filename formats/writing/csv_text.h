@@ -1,4 +1,4 @@
-// Text in a cell of CSV: quoted, whatever is in it; nothing for an empty text.
+// Text in a cell of CSV is quoted, whatever is in it; an empty text stays nothing.
 #pragma once
 
 #include <string>

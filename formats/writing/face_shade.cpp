@@ -14,7 +14,7 @@ struct Ramp {
 constexpr Ramp front_ramp{{34, 51, 84}, {226, 236, 247}};
 constexpr Ramp back_ramp{{92, 62, 38}, {250, 232, 205}};
 
-// Towards the lamp, in the camera's frame (right, up, towards the viewer).
+// The lamp is in this direction, in the camera's frame (right, up, towards the viewer).
 constexpr Vector3 lamp{-0.42, 0.56, 0.71};
 constexpr double stroke_share = 0.72;
 
@@ -23,7 +23,7 @@ Vector3 normalised(const Vector3& v) {
   return length > 0 ? Vector3{v.x / length, v.y / length, v.z / length} : v;
 }
 
-// Newell's normal: corners may lie on one line with their neighbours.
+// This is Newell's normal: corners may lie on one line with their neighbours.
 Vector3 facet_normal(const CutMesh& mesh, FacetId facet) {
   const auto corners = mesh.corners(facet);
   const Point3& first = mesh.position(corners[0]);
@@ -34,7 +34,7 @@ Vector3 facet_normal(const CutMesh& mesh, FacetId facet) {
   return normalised(normal);
 }
 
-// Half-Lambert: what is turned away from the lamp keeps its shape.
+// The shading is half-Lambert: what is turned away from the lamp keeps its shape.
 double brightness(const Vector3& normal, const Camera& camera) {
   const Vector3 seen{dot(normal, normalised(camera.right)), dot(normal, normalised(camera.up)),
                      -dot(normal, camera.forward)};

@@ -1,4 +1,4 @@
-// A colour for a face, by how it is turned to the camera: a lamp stands above the camera's left shoulder.
+// A face gets its colour by how it is turned to the camera: a lamp stands above the camera's left shoulder.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// Text in HTML and SVG: what means something there is written so that it does not.
+// In text for HTML and SVG, what means something there is written so that it does not.
 #pragma once
 
 #include <string>

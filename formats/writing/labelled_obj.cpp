@@ -25,7 +25,7 @@ void write_group(const LabelledMesh& labelled, Label label, std::uint64_t reflec
   }
 }
 
-// 0 first, and always.
+// 0 comes first, and is always there.
 std::set<std::uint64_t> reflecting_of(const LabelledMesh& labelled, Label label) {
   std::set<std::uint64_t> found{0};
   for (const LabelledTriangle& triangle : labelled.triangles) {

@@ -1,7 +1,7 @@
-// labelled.obj: the refined surface with one group per label, for tools that read no PLY properties. Triangles that mirror
-// panels are in groups of their own: "g visible reflecting_NAME ...".
+// labelled.obj has the refined surface with one group per label, for tools that read no PLY properties. Triangles that
+// mirror panels are in groups of their own: "g visible reflecting_NAME ...".
 //
-// Vertices as in labelled.ply, exact decimals; triangles by label, then by input face.
+// Vertices are as in labelled.ply, exact decimals; triangles are sorted by label, then by input face.
 #pragma once
 
 #include <string>

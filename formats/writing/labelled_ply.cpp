@@ -28,7 +28,7 @@ std::string header(const LabelledMesh& labelled, const std::vector<std::string>&
       labels, labelled.vertices.size(), labelled.triangles.size(), reflecting);
 }
 
-// Little endian, whatever the machine is.
+// Numbers are little endian, whatever the machine is.
 template <class Unsigned>
 char* put(char* at, Unsigned value) {
   if constexpr (std::endian::native == std::endian::little) {

@@ -1,8 +1,8 @@
-// labelled.ply: the refined surface as binary little-endian PLY.
+// labelled.ply has the refined surface as binary little-endian PLY.
 //
-// vertex: double x, y, z (the first ones are the input's, in order). face: list uchar int vertex_indices, then
-// int face (the input face), uchar label (see Label), uchar seen (1: the camera sees it), and per panel uchar
-// reflecting_NAME (1: it mirrors the panel into the camera).
+// vertex: double x, y, z (the first ones are the input's, in order). face: list uchar int vertex_indices, then int face
+// (the input face), uchar label (see Label), uchar seen (1: the camera sees it), and per panel uchar reflecting_NAME
+// (1: it mirrors the panel into the camera).
 #pragma once
 
 #include <string>

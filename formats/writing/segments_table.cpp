@@ -8,7 +8,7 @@ namespace sightline::inline formats {
 
 namespace {
 
-// The mesh edge of the face that lies on the scene edge; invalid where there is none.
+// Returns the mesh edge of the face that lies on the scene edge; invalid where there is none.
 MeshEdgeId edge_of_face(const ProjectedScene& scene, EdgeId edge, FaceId face) {
   const CutMesh& mesh = scene.mesh();
   for (const EdgeSide& side : scene.sides_of(edge)) {
@@ -19,7 +19,7 @@ MeshEdgeId edge_of_face(const ProjectedScene& scene, EdgeId edge, FaceId face) {
 
 FaceId face_of(const CutMesh& mesh, FacetId facet) { return facet.valid() ? mesh.facet_face[facet.index()] : FaceId{}; }
 
-// Of the segment's own face first, else of the face on its right.
+// Returns the edge of the segment's own face, else of the face on its right.
 MeshEdgeId edge_under(const ProjectedScene& scene, const VisibleSegment& segment) {
   const CutMesh& mesh = scene.mesh();
   const MeshEdgeId own = edge_of_face(scene, segment.edge, face_of(mesh, segment.facet));
@@ -27,7 +27,7 @@ MeshEdgeId edge_under(const ProjectedScene& scene, const VisibleSegment& segment
   return edge_of_face(scene, segment.edge, face_of(mesh, segment.other));
 }
 
-// By its ends. A piece of an edge of the input is named as that edge is.
+// An edge is named by its ends. A piece of an edge of the input is named as that edge is.
 void write_edge(const CutMesh& mesh, MeshEdgeId edge, TextBuffer& out) {
   if (!edge.valid()) {
     out << "border";

@@ -1,4 +1,4 @@
-// segments.csv: every visible segment, in the sweep's order.
+// segments.csv has every visible segment, in the sweep's order.
 //
 // Columns: face (to the segment's left), start and end in the window [-1, 1]^2 (x right, y up), the mesh edge it lies
 // on as "u-v" (vertex indices from 0, welded, smaller first; "border" where it is the view volume's), and the face that
@@ -14,7 +14,7 @@
 
 namespace sightline::inline formats {
 
-// places: window_points(view).
+// `places` are window_points(view).
 void write_segments_table(const View& view, const std::vector<Point2>& places, TextBuffer& out);
 
 }  // namespace sightline::inline formats

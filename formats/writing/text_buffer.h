@@ -1,8 +1,8 @@
-// A text that grows: numbers are appended without locale, allocation or format strings, because writing must not take longer
-// than computing.
+// A text that grows: numbers are appended without locale, allocation or format strings, because writing must not take
+// longer than computing.
 //
-// In:  where the text goes: nowhere (take() has all of it), or to a sink, in pieces, so that a large one is never in memory
-//      as a whole and each piece is written while it is in the processor's cache.
+// In:  where the text goes: nowhere (take() has all of it), or to a sink, in pieces, so that a large one is never in
+//      memory as a whole and each piece is written while it is in the processor's cache.
 #pragma once
 
 #include <charconv>
@@ -32,17 +32,17 @@ class TextBuffer {
   }
   TextBuffer& operator<<(std::uint64_t value) { return append(value); }
   TextBuffer& operator<<(std::uint32_t value) { return append(value); }
-  // The shortest text that reads back as the same double: at most 17 significant digits.
+  // Appends the shortest text that reads back as the same double: at most 17 significant digits.
   TextBuffer& operator<<(double value) { return append(value); }
 
-  // Hands on what the sink has not got yet. To be called at the end: a sink may throw.
+  // Hands on what the sink has not got yet. This is called at the end: a sink may throw.
   void flush() {
     if (!sink_) return;
     sink_(std::string_view(text_.data(), length_));
     length_ = 0;
   }
 
-  // So far. Of a text that goes to no sink.
+  // Returns the size so far, of a text that goes to no sink.
   [[nodiscard]] std::size_t size() const { return length_; }
   [[nodiscard]] std::string take() {
     text_.resize(length_);
@@ -73,7 +73,7 @@ class TextBuffer {
   std::size_t length_ = 0;
 };
 
-// What `write` appends.
+// Returns what `write` appends.
 template <class Write>
 [[nodiscard]] std::string text_of(const Write& write) {
   TextBuffer out;

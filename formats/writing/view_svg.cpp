@@ -18,8 +18,8 @@ namespace {
 
 constexpr double image_height = 800;  // pixels, for viewers that ask for a size
 
-// In window units. Thinner where there are many polygons, so that strokes do not hide what they surround. Not a
-// vector-effect: librsvg ignores non-scaling-stroke.
+// The width is in window units. It is thinner where there are many polygons, so that strokes do not hide what they
+// surround. It is not a vector-effect: librsvg ignores non-scaling-stroke.
 double stroke_width(std::size_t polygons) {
   const double pixels = std::min(0.7, 30 / std::sqrt(static_cast<double>(polygons) + 1));
   return pixels * 2 / image_height;
@@ -90,7 +90,7 @@ void for_each_polygon(const VisiblePolygons& polygons, Visit visit) {
   }
 }
 
-// Light on a blue surface: told apart from it, and from each other, by brightness too.
+// The colours are light on a blue surface: brightness, too, tells them apart from it and from each other.
 constexpr std::array<std::string_view, 4> panel_colours{"#ffd54a", "#ff8f3f", "#fff6c8", "#f25f5c"};
 
 // The names of a face's parts count from 1, and the first has no number.

@@ -11,7 +11,7 @@ namespace sightline::inline formats {
 
 [[nodiscard]] std::vector<Point2> window_points(const View& view);
 
-// Of a point that the camera sees, in floating point.
+// Returns the place of a point that the camera sees, in floating point.
 [[nodiscard]] Point2 window_place(const Camera& camera, const Point3& p);
 
 }  // namespace sightline::inline formats

@@ -30,7 +30,7 @@ std::uint64_t fingerprint(const Mesh& mesh, FacetId facet) {
   return sum;
 }
 
-// One facet that crosses others: its plane, and who cuts it.
+// A facet that crosses others is kept with its plane and with those that cut it.
 struct CrossedFacet {
   FacetId facet;
   ExactPlane plane;
@@ -57,7 +57,8 @@ std::vector<CrossedFacet> crossed_facets(const Mesh& mesh, const MeshContacts& c
   return facets;
 }
 
-// The pieces of all facets that cross others; chords_ and facets_ stay where they are, since cutters point at them.
+// This holds the pieces of all facets that cross others; chords_ and facets_ stay where they are, since cutters point
+// at them.
 class CrossedFacets {
  public:
   CrossedFacets(const Mesh& mesh, const MeshContacts& contacts) : facets_(crossed_facets(mesh, contacts)) {
@@ -94,7 +95,7 @@ struct LexicographicallyBefore {
   bool operator()(const ExactPosition& a, const ExactPosition& b) const { return lexicographic_order(a, b) < 0; }
 };
 
-// Numbers for the points that cutting makes. A point that is a vertex of the input is that vertex.
+// This numbers the points that cutting makes. A point that is a vertex of the input is that vertex.
 class CutVertices {
  public:
   CutVertices(const Mesh& mesh, const Welding& welding) : mesh_(mesh), welding_(welding) {}
@@ -130,13 +131,13 @@ class CutVertices {
   std::vector<ExactPosition> points_;
 };
 
-// A facet or a piece of one, by numbers.
+// A facet, or a piece of one, is described by the numbers of its corners.
 struct NumberedPolygon {
   std::vector<VertexId> corners;
   std::vector<MeshEdgeId> edges_after;
 };
 
-// The welding of the input, continued for the vertices that cutting made: their ranks are those of exact positions.
+// Continues the input's welding for the vertices that cutting made: ranks follow the exact positions.
 Welding extended(Welding welding, const CutMesh& mesh) {
   for (std::size_t v = mesh.input_vertex_count(); v < mesh.vertices.size(); ++v) {
     welding.weld.emplace_back(v);
@@ -251,7 +252,7 @@ class Cutting {
     for (const NumberedPolygon& piece : pieces_[f.index()]) add_facet(piece, points);
   }
 
-  // With the points inside its edges as corners.
+  // The points inside the polygon's edges become corners, too.
   void add_facet(const NumberedPolygon& polygon, const LinePoints& points) {
     std::vector<VertexId> corners;
     for (std::size_t i = 0; i < polygon.corners.size(); ++i) {

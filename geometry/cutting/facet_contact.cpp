@@ -7,7 +7,7 @@
 namespace sightline::inline geometry {
 namespace {
 
-// One sign per corner.
+// There is one sign per corner.
 using CornerSigns = boost::container::small_vector<Sign, 8>;
 
 bool has_corner(const ConvexFacet& facet, VertexId corner) {
@@ -43,10 +43,10 @@ SignSummary summarise(const CornerSigns& signs, const ConvexFacet& facet, const 
   return summary;
 }
 
-// Strictly on one side, but for shared corners.
+// Returns whether all corners but the shared ones lie strictly on one side.
 bool is_clear(const SignSummary& s) { return s.negative != s.positive && !s.zero_apart; }
 
-// The sides of `facet`'s corners of the plane of `other`.
+// Returns on which sides of `other`'s plane `facet`'s corners lie.
 CornerSigns sides_of_plane(const ConvexFacet& facet, const ConvexFacet& other) {
   const FacetPlane plane = plane_of(other);
   CornerSigns signs;
@@ -56,9 +56,9 @@ CornerSigns sides_of_plane(const ConvexFacet& facet, const ConvexFacet& other) {
   return signs;
 }
 
-// Where a facet meets the other's plane: in an interval of the planes' common line, seen in the direction of the cross
-// product of the facet's normal with the other's. Each end is on an edge, given from its corner in front of the other's
-// plane to its corner behind or on it.
+// A facet meets the other's plane in an interval of the planes' common line, which is seen in the direction of the
+// cross product of the facet's normal with the other's. Each end is on an edge, given from its corner in front of the
+// other's plane to its corner behind or on it.
 struct PlaneInterval {
   std::array<Point3, 2> low;
   std::array<Point3, 2> high;
@@ -76,9 +76,9 @@ PlaneInterval plane_interval(const ConvexFacet& facet, const CornerSigns& sides)
   return interval;
 }
 
-// Of two lines that meet the common line of the planes of a and b, each from front to back of the other's plane, the
-// first in the plane of a: +1 where the second meets it later in the direction of (normal of a) x (normal of b), 0 where
-// at one point.
+// Two lines meet the common line of the planes of a and b, each from front to back of the other's plane; the first is
+// in the plane of a. Returns +1 where the second meets it later in the direction of (normal of a) x (normal of b), 0
+// where both meet it at one point.
 //
 // With directions s and t and meeting points P and Q = P + lambda u, u = n_a x n_b, orient3d is det(s, Q - P, t) =
 // lambda u . (t x s) = lambda (n_a . t) (n_b . s), since n_a . s = 0, and both factors are negative.
@@ -98,7 +98,7 @@ bool crosses(const ConvexFacet& a, const CornerSigns& a_sides, const ConvexFacet
          intervals_overlap(plane_interval(a, a_sides), plane_interval(b, b_sides));
 }
 
-// Whether an edge of `facet` that passes through the plane of `other`, strictly, meets `other`.
+// Returns whether an edge of `facet` that passes strictly through the plane of `other` meets `other`.
 bool touches_with_edge(const ConvexFacet& facet, const CornerSigns& sides, const ConvexFacet& other) {
   for (std::size_t i = 0; i < facet.size(); ++i) {
     if (sides[i] * sides[facet.next(i)] >= 0) continue;
@@ -107,7 +107,7 @@ bool touches_with_edge(const ConvexFacet& facet, const CornerSigns& sides, const
   return false;
 }
 
-// Whether a corner of `facet` that `other` does not share lies in `other`.
+// Returns whether a corner of `facet` that `other` does not share lies in `other`.
 bool touches_with_corner(const ConvexFacet& facet, const CornerSigns& sides, const ConvexFacet& other) {
   const int axis = projection_axis(plane_of(other));
   for (std::size_t i = 0; i < facet.size(); ++i) {
@@ -125,11 +125,11 @@ Contact contact_across_planes(const ConvexFacet& a, const CornerSigns& a_sides, 
   return contact_along_shared_corners(a, b);
 }
 
-// Per edge of one facet, the sides of the other facet's corners, positive towards the inside.
+// For each edge of one facet this has the sides of the other facet's corners, positive towards the inside.
 using SideTable = boost::container::small_vector<CornerSigns, 4>;
 
-// The sides of `facet`'s corners of the edge of `other` from corner `edge` on, for other's orientation in the
-// projection.
+// Returns on which sides of `other`'s edge from corner `edge` on the corners of `facet` lie, for other's orientation in
+// the projection.
 CornerSigns sides_of_edge(const ConvexFacet& facet, const ConvexFacet& other, std::size_t edge, int axis,
                           Sign orientation) {
   const VertexId from = other.corners[edge];
@@ -153,7 +153,7 @@ SideTable sides_of_edges(const ConvexFacet& facet, const ConvexFacet& other, int
   return table;
 }
 
-// Whether the line of an edge has the facet strictly outside, but for shared corners.
+// Returns whether the line of an edge has the facet strictly outside, but for shared corners.
 bool is_separated(const ConvexFacet& facet, const SideTable& table, const ConvexFacet& other) {
   return std::any_of(table.begin(), table.end(), [&](const CornerSigns& signs) {
     const SignSummary s = summarise(signs, facet, other);
@@ -170,7 +170,7 @@ bool has_corner_inside(const ConvexFacet& facet, const SideTable& table, const C
   return false;
 }
 
-// a_sides: of a's corners, per edge of b; b_sides: of b's corners, per edge of a.
+// a_sides are those of a's corners, per edge of b, and b_sides those of b's corners, per edge of a.
 bool edges_cross(const ConvexFacet& a, const SideTable& a_sides, const ConvexFacet& b, const SideTable& b_sides) {
   for (std::size_t i = 0; i < a.size(); ++i) {
     for (std::size_t j = 0; j < b.size(); ++j) {
@@ -180,7 +180,7 @@ bool edges_cross(const ConvexFacet& a, const SideTable& a_sides, const ConvexFac
   return false;
 }
 
-// Whether the corners that the facets share do not lie on one line: then they overlap in the hull of these.
+// Returns whether the corners that the facets share do not lie on one line: then they overlap in the hull of these.
 bool shared_corners_span_area(const ConvexFacet& a, const ConvexFacet& b) {
   boost::container::small_vector<Point3, 4> shared;
   for (std::size_t i = 0; i < a.size(); ++i) {

@@ -16,7 +16,7 @@ bool straddles(const std::vector<Sign>& sides) {
          std::ranges::any_of(sides, [](Sign s) { return s < 0; });
 }
 
-// The part of the polygon on one side of the plane (Sutherland and Hodgman's step).
+// Returns the part of the polygon on one side of the plane (Sutherland and Hodgman's step).
 CutPolygon part_on_side(const CutPolygon& polygon, const std::vector<Sign>& sides, const ExactPlane& plane,
                         Sign wanted) {
   CutPolygon part;
@@ -45,7 +45,7 @@ bool overlap(const Chord& a, const Chord& b) {
   return lexicographic_order(later(a.low, b.low), earlier(a.high, b.high)) < 0;
 }
 
-// The tree: a node is a piece, or what a cutter's plane has cut into two.
+// The partition is a tree: a node is a piece, or what a cutter's plane has cut into two.
 class Partition {
  public:
   explicit Partition(CutPolygon facet) { nodes_.push_back({nullptr, 0, 0, std::move(facet)}); }

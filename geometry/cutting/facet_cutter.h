@@ -1,8 +1,8 @@
 // One facet cut where others pass through it, so that no piece is passed through.
 //
 // In:  a facet and its cutters: the plane of each facet that crosses it, and the chord in which the two meet.
-// Out: the pieces: convex, in the facet's orientation, together the facet; no chord has more than a border of a piece in
-//      common with it. Exact.
+// Out: the pieces: convex, in the facet's orientation, together the facet; no chord has more than a border of a piece
+//      in common with it. Exact.
 // Method: a binary space partition. A piece that a chord enters is cut all along the cutter's plane, beyond the chord's
 // ends too: so that a piece is convex and has one order in depth with the cutter. The pieces are those of the order in
 // which the cutters are given.
@@ -17,7 +17,7 @@
 
 namespace sightline::inline geometry {
 
-// A piece of a line, its ends in lexicographic order.
+// A chord is a piece of a line; its ends are in lexicographic order.
 struct Chord {
   ExactPosition low;
   ExactPosition high;
@@ -38,16 +38,16 @@ using CutPolygon = std::vector<CutCorner>;
 [[nodiscard]] CutPolygon whole_polygon(const Mesh& mesh, FacetId facet);
 [[nodiscard]] CutPolygon whole_polygon(const CutMesh& mesh, FacetId facet);
 
-// The part of a convex polygon in front of a plane; empty where it has nothing strictly in front.
+// Returns the part of a convex polygon in front of a plane; it is empty where nothing is strictly in front.
 [[nodiscard]] CutPolygon part_in_front(const CutPolygon& polygon, const ExactPlane& plane);
 
-// Where a convex polygon meets a plane. Precondition: it has corners strictly on both sides.
+// Returns where a convex polygon meets a plane. Precondition: it has corners strictly on both sides.
 [[nodiscard]] Chord meet(const CutPolygon& polygon, const ExactPlane& plane);
 
-// What two chords of one line have in common. Precondition: more than a point.
+// Returns what two chords of one line have in common. Precondition: that is more than a point.
 [[nodiscard]] Chord common_part(const Chord& a, const Chord& b);
 
-// Whether a chord in a plane enters the inside of a convex polygon.
+// Returns whether a chord in a plane enters the inside of a convex polygon.
 [[nodiscard]] bool passes_through(const ExactPlane& plane, const Chord& chord, const CutPolygon& polygon);
 
 [[nodiscard]] std::vector<CutPolygon> cut_facet(CutPolygon facet, std::span<const Cutter> cutters);

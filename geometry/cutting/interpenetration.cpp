@@ -8,7 +8,7 @@
 namespace sightline::inline geometry {
 namespace {
 
-// The facets with their corners welded.
+// This has the facets with their corners welded.
 class WeldedFacets {
  public:
   explicit WeldedFacets(const PolygonMesh& mesh) : mesh_(mesh), corners_(mesh.facets.corners) {

@@ -5,7 +5,7 @@
 namespace sightline::inline geometry {
 namespace {
 
-// As integers without a common factor, the first that is not zero positive.
+// Returns the numbers as integers without a common factor, of which the first that is not zero is positive.
 template <std::size_t N>
 std::array<BigInteger, N> in_lowest_terms(std::array<BigInteger, N> numbers) {
   BigInteger divisor = 0;
@@ -18,7 +18,7 @@ std::array<BigInteger, N> in_lowest_terms(std::array<BigInteger, N> numbers) {
 
 }  // namespace
 
-// Direction and moment.
+// A line is named by its direction and its moment.
 LinePoints::Plucker LinePoints::line_through(VertexId from, VertexId to) const {
   const ExactPosition p = exact_position(mesh_, from);
   const ExactPosition q = exact_position(mesh_, to);

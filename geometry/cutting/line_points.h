@@ -2,8 +2,8 @@
 //
 // In:  the edges of pieces, each on a mesh edge or on a common line.
 // Out: per line its points in order, so that every piece can take those inside its own edges as corners.
-// A common line is known by its exact Plücker coordinates: pieces of different facets that lie on one line of space share
-// its points, whichever planes they were cut by.
+// A common line is known by its exact Plücker coordinates: pieces of different facets that lie on one line of space
+// share its points, whichever planes they were cut by.
 // Complexity: O(m log m) for m edges.
 #pragma once
 
@@ -24,10 +24,10 @@ class LinePoints {
   // `edge` is invalid for an edge on a common line.
   void add(MeshEdgeId edge, VertexId from, VertexId to);
 
-  // To be called once, when all are added. rank: per vertex, the lexicographic order of exact positions.
+  // This is called once, when all are added. `rank` is, per vertex, the lexicographic order of exact positions.
   void sort(std::span<const std::uint32_t> rank);
 
-  // The points strictly between two points of the line, from the first to the second.
+  // Returns the points strictly between two points of the line, from the first to the second.
   [[nodiscard]] std::vector<VertexId> between(MeshEdgeId edge, VertexId from, VertexId to,
                                               std::span<const std::uint32_t> rank) const;
 

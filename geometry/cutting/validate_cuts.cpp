@@ -60,7 +60,8 @@ class CutsCheck {
     return plane_through(exact_position(mesh_, a), exact_position(mesh_, b), exact_position(mesh_, c));
   }
 
-  // Planar, convex, and turned as the whole is: seen along an axis, it turns to one side only and runs up once.
+  // A piece has to be planar, convex, and turned as the whole is: seen along an axis, it turns to one side only and
+  // runs up once.
   void check_piece(FacetId f) {
     const CutPolygon polygon = whole_polygon(mesh_, f);
     const ExactPlane plane = plane_of(f);
@@ -109,7 +110,7 @@ class CutsCheck {
     return false;
   }
 
-  // No piece of a is passed through by b.
+  // No piece of a may be passed through by b.
   void check_apart(WholeId a, WholeId b) {
     const ExactPlane plane = plane_of(cuts_.first_facet[b.index()]);
     const CutPolygon other = whole_of(b);

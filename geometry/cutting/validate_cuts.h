@@ -1,4 +1,5 @@
-// What must hold of a mesh that was cut along common lines, beyond what holds of the mesh before (Mesh::cuts).
+// This checks what must hold of a mesh that was cut along common lines, beyond what holds of the mesh before
+// (Mesh::cuts).
 #pragma once
 
 #include <string>

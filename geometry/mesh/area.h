@@ -1,4 +1,4 @@
-// Areas in space, in double: half the length of a cross product, in input units squared.
+// Areas in space are computed in double, as half the length of a cross product, in input units squared.
 #pragma once
 
 #include "geometry/mesh/mesh.h"
@@ -9,7 +9,7 @@ inline double triangle_area(const Point3& a, const Point3& b, const Point3& c) {
   return 0.5 * norm(cross(b - a, c - a));
 }
 
-// Of a convex polygon, as a fan from its first corner; `position(corner)` is the corner's place.
+// Returns the area of a convex polygon, as a fan from its first corner; `position(corner)` is the corner's place.
 template <class Corners, class Position>
 double fan_area(const Corners& corners, Position position) {
   double area = 0;

@@ -5,7 +5,7 @@
 namespace sightline::inline geometry {
 namespace {
 
-// Few enough that testing all pairs of a leaf costs less than another level of nodes.
+// Leaves are so small that testing all pairs of one costs less than another level of nodes.
 constexpr std::uint32_t leaf_size = 4;
 
 using Item = BoxHierarchy::Item;
@@ -16,7 +16,7 @@ Box hull_of(std::span<const Item> items) {
   return box;
 }
 
-// Halved first, so that no sum overflows.
+// Both are halved first, so that no sum overflows.
 double centre(const Box& box, double Vector3::*axis) { return box.low.*axis / 2 + box.high.*axis / 2; }
 
 double Vector3::*longest_axis(const Box& box) {

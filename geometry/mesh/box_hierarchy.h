@@ -73,7 +73,8 @@ void for_each_touched_item(const BoxHierarchy& hierarchy, MayTouch may_touch, Vi
 
 namespace detail {
 
-// Simultaneous descent: both nodes' items against each other, or one node's items among themselves.
+// Two nodes are descended at once: both nodes' items are held against each other, or one node's items against
+// themselves.
 template <class Visit>
 class PairDescent {
  public:

@@ -10,7 +10,7 @@
 namespace sightline::inline geometry {
 namespace {
 
-// Disjoint sets of facets, each named by its smallest one (Tarjan 1975, with path halving).
+// Disjoint sets of facets are each named by their smallest one (Tarjan 1975, with path halving).
 class DisjointFacets {
  public:
   explicit DisjointFacets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
@@ -53,11 +53,11 @@ void for_each_triangle(const PolygonMesh& mesh, std::span<const FacetId> compone
   }
 }
 
-// A sum of determinants in double. Each is evaluated as predicates.cpp does for orient3d, so its error is at most 8 u
-// times its permanent p as computed, if no difference reaches 2^340, and 2^-700 for underflow. Adding up N of them adds
-// at most N u (1 + 2^-19) times the sum of |determinant| <= (1 + 8 u) p, and the computed sum of the p is at least (1 -
-// 2^-20) of the true one, since N < 2^32 and u = 2^-53. All in all less than 2 (N + 8) u times the computed sum of the
-// p, and N 2^-700 < 2^-660.
+// This is a sum of determinants in double. Each is evaluated as predicates.cpp does for orient3d, so its error is at
+// most 8 u times its permanent p as computed, if no difference reaches 2^340, and 2^-700 for underflow. Adding up N of
+// them adds at most N u (1 + 2^-19) times the sum of |determinant| <= (1 + 8 u) p, and the computed sum of the p is at
+// least (1 - 2^-20) of the true one, since N < 2^32 and u = 2^-53. All in all the error is less than 2 (N + 8) u times
+// the computed sum of the p, and N 2^-700 < 2^-660.
 class VolumeEstimate {
  public:
   void add(const Vector3& u, const Vector3& v, const Vector3& w) {
@@ -123,8 +123,8 @@ bool box_contains(const Point3& p, const PolygonMesh& mesh, std::span<const Face
   return contains(box, p);
 }
 
-// Whether the ray from p, which is not on the facet, crosses it; nullopt where the ray runs in its plane or meets its
-// boundary.
+// Returns whether the ray from p, which is not on the facet, crosses it; nullopt where the ray runs in its plane or
+// meets its boundary.
 std::optional<bool> crosses(const Point3& p, const Vector3& direction, const ConvexFacet& facet) {
   const FacetPlane plane = plane_of(facet);
   const Sign from = side_of(plane, p);
@@ -136,7 +136,7 @@ std::optional<bool> crosses(const Point3& p, const Vector3& direction, const Con
   return place == Place::inside;
 }
 
-// Whether the ray crosses the component an odd number of times; nullopt where it meets an edge.
+// Returns whether the ray crosses the component an odd number of times; nullopt where it meets an edge.
 std::optional<bool> crosses_oddly(const Point3& p, const Vector3& direction, const PolygonMesh& mesh,
                                   std::span<const FacetId> component) {
   bool odd = false;
@@ -163,8 +163,8 @@ std::vector<Component> components(const PolygonMesh& mesh) {
   return result;
 }
 
-// Six times the volume is the sum of det(a - o, b - o, c - o) over the triangles: the same for every origin o where the
-// component is closed.
+// Six times the volume is the sum of det(a - o, b - o, c - o) over the triangles, which is the same for every origin o
+// where the component is closed.
 Sign volume_sign(const PolygonMesh& mesh, std::span<const FacetId> component) {
   const Point3& origin = mesh.position(mesh.corners(component.front()).front());
   VolumeEstimate estimate;

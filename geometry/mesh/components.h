@@ -17,16 +17,16 @@ namespace sightline::inline geometry {
 
 using Component = std::vector<FacetId>;  // ascending
 
-// Ordered by their first facets.
+// The components are ordered by their first facets.
 [[nodiscard]] std::vector<Component> components(const PolygonMesh& mesh);
 
-// The sign of the volume enclosed, positive where the facets are counter-clockwise seen from outside. The component is
-// closed: each of its edges has two facets that run through it in opposite directions.
+// Returns the sign of the volume enclosed, positive where the facets are counter-clockwise seen from outside. The
+// component is closed: each of its edges has two facets that run through it in opposite directions.
 [[nodiscard]] Sign volume_sign(const PolygonMesh& mesh, std::span<const FacetId> component);
 
 enum class Location { outside, on_surface, inside };
 
-// Inside: a ray from p crosses the component an odd number of times. The component is closed, as above.
+// p is inside where a ray from it crosses the component an odd number of times. The component is closed, as above.
 [[nodiscard]] Location location_of(const Point3& p, const PolygonMesh& mesh, std::span<const FacetId> component);
 
 }  // namespace sightline::inline geometry

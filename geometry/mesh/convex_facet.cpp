@@ -16,7 +16,7 @@ bool is_perpendicular_to(const FacetPlane& plane, int axis) {
   return level == coordinate(plane.b, axis) && level == coordinate(plane.c, axis);
 }
 
-// Which axis the normal is closest to; only a first guess, since it is rounded.
+// Tells which axis the normal is closest to; this is only a first guess, since the normal is rounded.
 int dominant_axis(const FacetPlane& plane) {
   const Vector3 normal = cross(plane.b - plane.a, plane.c - plane.a);
   const double x = std::fabs(normal.x);
@@ -26,8 +26,8 @@ int dominant_axis(const FacetPlane& plane) {
   return y >= z ? 1 : 2;
 }
 
-// The sides of a convex polygon's edges on which a place of its plane was seen, whichever way the polygon turns. A
-// place outside is strictly outside of one edge and strictly inside of another.
+// This collects the sides of a convex polygon's edges on which a place of its plane was seen, whichever way the polygon
+// turns. A place outside is strictly outside of one edge and strictly inside of another.
 class SeenSides {
  public:
   void add(Sign side) {

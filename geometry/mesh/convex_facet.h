@@ -24,7 +24,7 @@ struct ConvexFacet {
   [[nodiscard]] std::span<const MeshEdgeId> edges() const { return mesh.edges_of(id); }
 };
 
-// Three corners in the facet's order that do not lie on one line.
+// A plane is three corners in the facet's order that do not lie on one line.
 struct FacetPlane {
   Point3 a;
   Point3 b;
@@ -33,24 +33,24 @@ struct FacetPlane {
 
 [[nodiscard]] FacetPlane plane_of(const ConvexFacet& facet);
 
-// orient3d(a, b, c, p): +1 where p sees the facet counter-clockwise.
+// Returns orient3d(a, b, c, p): +1 where p sees the facet counter-clockwise.
 [[nodiscard]] Sign side_of(const FacetPlane& plane, const Point3& p);
 
-// orient2d(a, b, p): +1 where p is to the left of the line from a to b.
+// Returns orient2d(a, b, p): +1 where p is to the left of the line from a to b.
 [[nodiscard]] Sign side_of_line(const Point2& a, const Point2& b, const Point2& p);
 
-// An axis that is not among the plane's directions: projecting along it keeps the facet's shape.
+// Returns an axis that is not among the plane's directions: projecting along it keeps the facet's shape.
 [[nodiscard]] int projection_axis(const FacetPlane& plane);
 
-// The facet's orientation when projected along an axis: 0 where it degenerates.
+// Returns the facet's orientation when projected along an axis: 0 where it degenerates.
 [[nodiscard]] Sign orientation_in(const FacetPlane& plane, int axis);
 
 enum class Place { outside, boundary, inside };
 
-// Where p, a point of the facet's plane, lies; `axis`: its projection axis.
+// Tells where p, a point of the facet's plane, lies; `axis` is the facet's projection axis.
 [[nodiscard]] Place place_of_point(const ConvexFacet& facet, int axis, const Point3& p);
 
-// Where the line through p and q, which is not in the facet's plane, meets that plane.
+// Tells where the line through p and q, which is not in the facet's plane, meets that plane.
 [[nodiscard]] Place place_of_line(const ConvexFacet& facet, const Point3& p, const HomogeneousPoint& q);
 
 }  // namespace sightline::inline geometry

@@ -18,7 +18,7 @@ struct Corner {
   bool is_ear = false;
 };
 
-// What is left of the polygon: a ring of corners.
+// The ring has the corners that are left of the polygon.
 struct Ring {
   FaceView view;
   std::vector<Corner> corners;
@@ -42,8 +42,8 @@ Ring make_ring(const PolygonView& polygon, const FaceView& view) {
 using Corners = std::array<Point3, 3>;
 using EdgeSigns = std::array<Sign, 3>;  // on which side of the edges ab, bc, ca a point is
 
-// Whether an edge from a point of the closed triangle leads into its inside: at the lines that the point is on, the
-// edge goes to the left.
+// Returns whether an edge from a point of the closed triangle leads into its inside: at the lines that the point is on,
+// the edge goes to the left.
 bool leads_inside(const FaceView& view, const Corners& t, const EdgeSigns& start, const Point3& end) {
   for (std::size_t i = 0; i < 3; ++i) {
     if (start[i] == 0 && view.turn(t[i], t[(i + 1) % 3], end) <= 0) return false;
@@ -124,7 +124,7 @@ void clip(Ring& ring, std::size_t tip) {
   for (const std::size_t i : changed) ring.corners[i].is_ear = ring.corners[i].alive && is_ear(ring, ring.corners[i]);
 }
 
-// Vertex index first; the neighbours tell apart corners of one vertex.
+// Vertex indices come first; the neighbours tell apart corners of one vertex.
 auto priority(const Ring& ring, const Corner& c) {
   const auto [low, high] = std::minmax({ring.before(c).vertex, ring.after(c).vertex});
   return std::tuple(c.vertex, high, low);

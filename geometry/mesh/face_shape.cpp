@@ -6,13 +6,13 @@ namespace sightline::inline geometry {
 
 namespace {
 
-// What holds in every coordinate at the tip of a spike. Comparisons settle nearly every corner that is none.
+// This holds in every coordinate at the tip of a spike. Comparisons settle nearly every corner that is none.
 bool is_turning_point(double a, double b, double c) {
   return (a < b && c < b) || (a > b && c > b) || (a == b && b == c);
 }
 
-// The turn in the projection along `axis`. Points on an axis-parallel line, and there are many in models, need no
-// arithmetic.
+// Returns the turn in the projection along `axis`. Points on an axis-parallel line, and there are many in models, need
+// no arithmetic.
 Sign turn_along(int axis, const Point3& a, const Point3& b, const Point3& c) {
   const Point2 p = drop_axis(a, axis);
   const Point2 q = drop_axis(b, axis);
@@ -21,7 +21,7 @@ Sign turn_along(int axis, const Point3& a, const Point3& b, const Point3& c) {
   return orient2d(p, q, r);
 }
 
-// The first axis along which three points are seen to turn; nullopt if they are on one line.
+// Returns the first axis along which three points are seen to turn; nullopt if they are on one line.
 std::optional<int> axis_of_turn(const Point3& a, const Point3& b, const Point3& c) {
   for (const int axis : {0, 1, 2}) {
     if (turn_along(axis, a, b, c) != 0) return axis;
@@ -29,7 +29,7 @@ std::optional<int> axis_of_turn(const Point3& a, const Point3& b, const Point3& 
   return std::nullopt;
 }
 
-// Whether all corners have the same value of one coordinate.
+// Returns whether all corners have the same value of one coordinate.
 bool is_axis_parallel(const PolygonView& polygon) {
   std::array<bool, 3> same{true, true, true};
   for (std::size_t i = 1; i < polygon.size(); ++i) {
@@ -54,7 +54,7 @@ void trim_end(std::vector<VertexId>& corners, std::span<const Point3> vertices) 
   }
 }
 
-// Removes them where the boundary closes; between its ends it has none.
+// Removes such corners where the boundary closes; between its ends it has none.
 void trim_closure(std::vector<VertexId>& corners, std::span<const Point3> vertices) {
   std::size_t first = 0;
   const auto position = [&](std::size_t i) { return vertices[corners[i].index()]; };
@@ -71,7 +71,7 @@ void trim_closure(std::vector<VertexId>& corners, std::span<const Point3> vertic
   corners.erase(corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(first));
 }
 
-// The turn at each corner is `turn` or straight, along this axis.
+// Returns whether the turn at each corner is `turn` or straight, along this axis.
 bool turns_only(const PolygonView& polygon, int axis, Sign turn) {
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Sign here = turn_along(axis, polygon[i], polygon[i + 1], polygon[i + 2]);

@@ -16,7 +16,7 @@
 
 namespace sightline::inline geometry {
 
-// A closed polygon; corner indices are cyclic: corner size() is corner 0 again.
+// The polygon is closed, and corner indices are cyclic: corner size() is corner 0 again.
 struct PolygonView {
   std::span<const VertexId> corners;
   std::span<const Point3> vertices;
@@ -27,11 +27,11 @@ struct PolygonView {
   }
 };
 
-// Smaller x, then smaller y, then smaller z.
+// Compares x first, then y, then z.
 [[nodiscard]] bool lexicographically_less(const Point3& a, const Point3& b);
 
-// Whether corner b of a boundary that runs from a to b to c bounds nothing: it equals a neighbour, or the boundary
-// turns back there on its own line (the tip of a spike).
+// Returns whether corner b of a boundary that runs from a to b to c bounds nothing: it equals a neighbour, or the
+// boundary turns back there on its own line (the tip of a spike).
 [[nodiscard]] bool bounds_nothing(const Point3& a, const Point3& b, const Point3& c);
 
 // Removes consecutive equal corners and tips of spikes until none is left. What remains bounds the same area, and each
@@ -39,14 +39,14 @@ struct PolygonView {
 // A corner inside a straight run is no spike and stays.
 void remove_spikes(std::vector<VertexId>& corners, std::span<const Point3> vertices);
 
-// Three corners (indices into the polygon) that are not on one line; nullopt if all corners are on one line.
+// Returns three corners (indices into the polygon) that are not on one line; nullopt if all corners are on one line.
 [[nodiscard]] std::optional<std::array<std::size_t, 3>> corners_off_line(const PolygonView& polygon);
 
-// Whether all corners lie in one plane.
+// Returns whether all corners lie in one plane.
 [[nodiscard]] bool is_planar(const PolygonView& polygon);
 
-// Whether a planar polygon without spikes is convex: it turns to one side only and goes round once. Corners inside
-// a straight run are allowed; an area of zero is not.
+// Returns whether a planar polygon without spikes is convex: it turns to one side only and goes round once. Corners
+// inside a straight run are allowed; an area of zero is not.
 [[nodiscard]] bool is_convex(const PolygonView& polygon);
 
 }  // namespace sightline::inline geometry

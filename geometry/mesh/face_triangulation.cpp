@@ -9,7 +9,7 @@ namespace sightline::inline geometry {
 
 namespace {
 
-// Twice the signed areas of the projections along x, y, z, over a common power of two.
+// Returns twice the signed areas of the projections along x, y, z, over a common power of two.
 template <class Integer>
 std::array<Integer, 3> newell_normal(const PolygonView& polygon, int lowest_exponent) {
   const auto corner = [&](std::size_t i) {
@@ -27,7 +27,7 @@ std::array<Integer, 3> newell_normal(const PolygonView& polygon, int lowest_expo
   return normal;
 }
 
-// The direction of an integer vector: its components over a common power of two, cut to integers below 2^53.
+// Returns the direction of an integer vector: its components over a common power of two, cut to integers below 2^53.
 template <class Integer>
 std::optional<Vector3> direction_of(const std::array<Integer, 3>& normal) {
   std::array<Integer, 3> size;
@@ -44,7 +44,7 @@ std::optional<Vector3> direction_of(const std::array<Integer, 3>& normal) {
 
 using Corners = std::array<Point3, 3>;
 
-// Whether the line along an edge of `t` has all of `u` on its right or on it.
+// Returns whether the line along an edge of `t` has all of `u` on its right or on it.
 bool edge_separates(const FaceView& view, const Corners& t, const Corners& u) {
   for (std::size_t i = 0; i < 3; ++i) {
     const auto beyond = [&](const Point3& p) { return view.turn(t[i], t[(i + 1) % 3], p) <= 0; };

@@ -31,22 +31,22 @@ using Triangle = std::array<VertexId, 3>;
 
 [[nodiscard]] std::optional<std::vector<Triangle>> triangulate(const PolygonView& polygon);
 
-// How a face is looked at to divide it: as parallel projection against `normal`, tilted by an infinitesimal towards
-// `tilt`, and by an infinitesimal of that towards `second_tilt` (zero vectors for no tilt).
+// A view says how a face is looked at to divide it: in parallel projection against `normal`, tilted by an infinitesimal
+// towards `tilt`, and by an infinitesimal of that towards `second_tilt` (zero vectors for no tilt).
 struct FaceView {
   Vector3 normal;
   Vector3 tilt;
   Vector3 second_tilt;
 
-  // +1 where a, b, c turn left. For points on a line it is 0 in all views.
+  // Returns +1 where a, b, c turn left. For points on a line it is 0 in all views.
   [[nodiscard]] Sign turn(const Point3& a, const Point3& b, const Point3& c) const;
 };
 
-// The views that a polygon can be divided in, as above: in each it runs counter-clockwise. None if its Newell normal is
-// zero.
+// Returns the views that a polygon can be divided in, as above: in each it runs counter-clockwise. There is none if its
+// Newell normal is zero.
 [[nodiscard]] std::vector<FaceView> face_views(const PolygonView& polygon);
 
-// Whether no two of these triangles, all counter-clockwise in the view, share an inner point.
+// Returns whether no two of these triangles, all counter-clockwise in the view, share an inner point.
 [[nodiscard]] bool interiors_disjoint(const FaceView& view, std::span<const Triangle> triangles,
                                       std::span<const Point3> vertices);
 

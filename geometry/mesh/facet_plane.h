@@ -1,4 +1,4 @@
-// The plane of a facet, as three vertices of the input.
+// The plane of a facet is given as three vertices of the input.
 #pragma once
 
 #include <array>
@@ -11,15 +11,15 @@ namespace sightline::inline geometry {
 // Three corners of a convex polygon that are not on one line, the first of all, in its orientation.
 [[nodiscard]] std::array<VertexId, 3> plane_corners(const PolygonMesh& mesh, std::span<const VertexId> corners);
 
-// Three corners of the facet (where it was cut: of the whole it is a piece of) that are not on one line, in its
+// Returns three corners of the facet (where it was cut: of the whole it is a piece of) that are not on one line, in its
 // orientation; a facet is convex and not degenerate, so they exist.
 [[nodiscard]] std::array<VertexId, 3> plane_corners(const CutMesh& mesh, FacetId facet);
 
-// The side of the facet's plane on which p lies: +1 where the facet is counter-clockwise seen from p.
+// Returns the side of the facet's plane on which p lies: +1 where the facet is counter-clockwise seen from p.
 [[nodiscard]] Sign side_of_plane(const CutMesh& mesh, FacetId facet, const HomogeneousPoint& p);
 
-// The surface a facet belongs to: all of its face where that is planar, else the whole it was cut from, else the facet
-// alone; named by its first facet. What is visible of one surface is described by polygons of its own.
+// Returns the surface a facet belongs to, named by its first facet: all of its face where that is planar, else the
+// whole it was cut from, else the facet alone. What is visible of one surface is described by polygons of its own.
 [[nodiscard]] inline FacetId surface_of(const CutMesh& mesh, FacetId facet) {
   if (!facet.valid()) return facet;
   const FaceId face = mesh.facet_face[facet.index()];
@@ -27,7 +27,7 @@ namespace sightline::inline geometry {
   return mesh.is_cut() ? mesh.cuts.first_facet[mesh.cuts.whole_of[facet.index()].index()] : facet;
 }
 
-// One past the last facet of a surface, named by its first facet.
+// Returns one past the last facet of a surface, which is named by its first facet.
 [[nodiscard]] inline FacetId end_of_surface(const CutMesh& mesh, FacetId surface) {
   const FaceId face = mesh.facet_face[surface.index()];
   if (mesh.face_planar[face.index()] != 0) return FacetId(mesh.end_facet(face));

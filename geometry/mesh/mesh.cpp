@@ -37,7 +37,7 @@ bool has_three_positions(std::span<const VertexId> corners, const Welding& weldi
                      [&](VertexId v) { return position(v) != first && position(v) != position(*second); });
 }
 
-// Leaves in `outline` the corners that bound the face; none if the face is skipped.
+// Leaves in `outline` the corners that bound the face; there are none if the face is skipped.
 std::optional<Defect> trim_outline(std::vector<VertexId>& outline, std::span<const Point3> vertices,
                                    const Welding& welding) {
   const std::size_t corner_count = outline.size();
@@ -57,7 +57,7 @@ std::optional<Defect> trim_outline(std::vector<VertexId>& outline, std::span<con
   return defect;
 }
 
-// The faces without what bounds nothing; those that are skipped are empty.
+// Returns the faces without what bounds nothing; those that are skipped are empty.
 PolygonList outline_faces(const PolygonMesh& mesh, const Welding& welding, FaceDefects& defects) {
   PolygonList outlines;
   outlines.corners.reserve(mesh.faces.corners.size());
@@ -70,7 +70,7 @@ PolygonList outline_faces(const PolygonMesh& mesh, const Welding& welding, FaceD
   return outlines;
 }
 
-// Adds the facets of one face; false if it has none because its boundary crosses itself.
+// Adds the facets of one face; returns false if it has none because its boundary crosses itself.
 bool add_facets(PolygonList& facets, const PolygonView& outline, bool planar) {
   if (outline.size() == 3 || (planar && is_convex(outline))) {
     facets.push_back(outline.corners);

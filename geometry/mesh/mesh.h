@@ -22,7 +22,7 @@
 
 namespace sightline::inline geometry {
 
-// Polygons as index lists: face f has the corners corners[begin[f]] .. corners[begin[f + 1] - 1].
+// Polygons are index lists: face f has the corners corners[begin[f]] .. corners[begin[f + 1] - 1].
 struct PolygonList {
   std::vector<std::uint32_t> begin{0};
   std::vector<VertexId> corners;
@@ -37,7 +37,7 @@ struct PolygonList {
   }
 };
 
-// Why a face is skipped, or what was mended. A reason that is not listed here does not exist.
+// A defect says why a face is skipped, or what was mended. A reason that is not listed here does not exist.
 enum class Defect : std::uint8_t {
   too_few_corners,  // fewer than three distinct corners: skipped
   zero_area,        // all corners on one line, exactly, or nothing but spikes: skipped
@@ -62,9 +62,9 @@ struct PolygonMesh {
   std::vector<FacetId> face_facet;        // per face, and one past the end: its first facet
   std::vector<std::uint8_t> face_planar;  // per face: 1 where all its corners lie in one plane, exactly
 
-  // Topology, with equal positions welded.
+  // The topology has equal positions welded.
   std::vector<VertexId> weld;  // per vertex: the first vertex with this position
-  // Per mesh edge: its ends (welded), the lexicographically smaller position first.
+  // Each mesh edge has its ends (welded), the lexicographically smaller position first.
   std::vector<std::array<VertexId, 2>> edges;
   std::vector<MeshEdgeId> facet_edges;  // parallel to facets.corners: the edge from this corner to the next
 

@@ -9,7 +9,7 @@ namespace sightline::inline geometry {
 
 namespace {
 
-// The indices of `keys`, grouped by key: those with key k are order[begin[k]] .. order[begin[k + 1] - 1], ascending.
+// The indices of `keys` are grouped by key: those with key k are order[begin[k]] .. order[begin[k + 1] - 1], ascending.
 struct Groups {
   std::vector<std::uint32_t> begin;
   std::vector<std::uint32_t> order;
@@ -30,7 +30,7 @@ Groups group_by(std::span<const std::uint32_t> keys, std::size_t key_count) {
 
 using Cycle = std::vector<std::uint32_t>;
 
-// `cycle` read from `start` in one direction.
+// Returns `cycle` read from `start` in one direction.
 Cycle rotated(std::span<const std::uint32_t> cycle, std::size_t start, bool reversed) {
   Cycle result(cycle.begin(), cycle.end());
   std::rotate(result.begin(), result.begin() + static_cast<std::ptrdiff_t>(start), result.end());
@@ -38,7 +38,7 @@ Cycle rotated(std::span<const std::uint32_t> cycle, std::size_t start, bool reve
   return result;
 }
 
-// The lexicographically smallest reading of a cycle, from any start in either direction.
+// Returns the lexicographically smallest reading of a cycle, from any start in either direction.
 Cycle canonical(std::span<const std::uint32_t> cycle) {
   Cycle best(cycle.begin(), cycle.end());
   const std::uint32_t smallest = std::ranges::min(cycle);
@@ -49,7 +49,7 @@ Cycle canonical(std::span<const std::uint32_t> cycle) {
   return best;
 }
 
-// The canonical cycles of all polygons, one after the other: that of polygon i starts where the polygon starts.
+// Returns the canonical cycles of all polygons, one after the other: that of polygon i starts where the polygon starts.
 Cycle canonical_cycles(const PolygonList& polygons, const Welding& welding) {
   Cycle cycles;
   Cycle ranks;
@@ -67,7 +67,7 @@ Cycle canonical_cycles(const PolygonList& polygons, const Welding& welding) {
   return cycles;
 }
 
-// Parallel to the corners: the ranks of the ends of the edge to the next corner.
+// Each corner has the ranks of the ends of the edge to the next corner.
 struct HalfEdges {
   std::vector<std::uint32_t> low;
   std::vector<std::uint32_t> high;

@@ -13,7 +13,7 @@
 
 namespace sightline::inline geometry {
 
-// Equal positions made one.
+// A welding makes equal positions one.
 struct Welding {
   std::vector<VertexId> weld;       // per vertex: the first vertex with its position
   std::vector<std::uint32_t> rank;  // per vertex: how many positions are lexicographically smaller
@@ -21,15 +21,15 @@ struct Welding {
 };
 [[nodiscard]] Welding weld_vertices(std::span<const Point3> vertices);
 
-// Per polygon: whether an earlier one has the same corners (welded), in the same or the reversed cyclic order. Empty
-// polygons repeat nothing.
+// Returns, per polygon, whether an earlier one has the same corners (welded), in the same or the reversed cyclic order.
+// Empty polygons repeat nothing.
 [[nodiscard]] std::vector<bool> find_repeated(const PolygonList& polygons, const Welding& welding);
 
 struct MeshEdges {
   std::vector<std::array<VertexId, 2>> ends;  // in lexicographic order of their positions
   std::vector<MeshEdgeId> of_corner;          // parallel to the corners: the edge from this corner to the next
 };
-// Requires that no corner has the position of the next.
+// Precondition: no corner has the position of the next.
 [[nodiscard]] MeshEdges make_mesh_edges(const PolygonList& facets, const Welding& welding);
 
 }  // namespace sightline::inline geometry

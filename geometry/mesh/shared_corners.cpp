@@ -9,11 +9,11 @@ namespace sightline::inline geometry {
 
 namespace {
 
-// A line between two corners, welded; the one with the smaller id first.
+// A line between two corners (welded) is named by them, the one with the smaller id first.
 using Ends = std::array<VertexId, 2>;
 using CornersInside = std::map<Ends, std::vector<VertexId>>;  // lexicographically sorted along the line
 
-// Fewer corners than this, and a border that touches itself has a spike.
+// A border that touches itself and has fewer corners than this has a spike.
 constexpr std::size_t fewest_corners = 5;
 
 class Sharing {

@@ -30,7 +30,7 @@ void check_facet_shapes(const PolygonMesh& mesh, Messages& messages) {
   }
 }
 
-// How often a boundary runs along each edge, less how often it runs back.
+// A boundary counts how often it runs along each edge, less how often it runs back.
 using Boundary = std::map<std::pair<VertexId, VertexId>, int>;
 
 void add_edge(Boundary& boundary, VertexId a, VertexId b) {
@@ -41,7 +41,7 @@ void add_edge(Boundary& boundary, VertexId a, VertexId b) {
   if (place->second == 0) boundary.erase(place);
 }
 
-// The welded corners of a face that lie inside the edge from a to b, with both ends, in order.
+// Returns the welded corners of a face that lie inside the edge from a to b, with both ends, in order.
 std::vector<VertexId> stops_between(const PolygonMesh& mesh, std::span<const VertexId> corners, VertexId a,
                                     VertexId b) {
   std::vector<VertexId> stops{a, b};
@@ -74,7 +74,7 @@ void add_boundary(Boundary& boundary, const PolygonMesh& mesh, std::span<const V
 
 bool boundaries_agree(const PolygonMesh& mesh, FaceId f, bool divided) {
   const auto face = mesh.faces[f.index()];
-  // Those of the face, and those that it has of another face (shared_corners.h).
+  // The corners are those of the face, and those that it has of another face (shared_corners.h).
   std::vector<VertexId> corners(face.begin(), face.end());
   for (std::size_t i = mesh.first_facet(f); i < mesh.end_facet(f); ++i)
     corners.insert(corners.end(), mesh.facets[i].begin(), mesh.facets[i].end());
@@ -86,7 +86,8 @@ bool boundaries_agree(const PolygonMesh& mesh, FaceId f, bool divided) {
   return of_face == of_facets;
 }
 
-// In one view of the face its triangles are counter-clockwise and apart. With equal boundaries they then cover it.
+// Returns whether the triangles are counter-clockwise and apart in one view of the face. With equal boundaries they
+// then cover it.
 bool is_one_layer(const PolygonMesh& mesh, FaceId f) {
   std::vector<Triangle> triangles;
   for (std::size_t i = mesh.first_facet(f); i < mesh.end_facet(f); ++i) {

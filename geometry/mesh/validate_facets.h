@@ -1,4 +1,5 @@
-// The part of validate(mesh) that looks at shapes: are the facets convex and planar, and do they cover their faces.
+// This is the part of validate(mesh) that looks at shapes: are the facets convex and planar, and do they cover their
+// faces?
 #pragma once
 
 #include <string>
@@ -8,8 +9,8 @@
 
 namespace sightline::inline geometry {
 
-// Appends a message, with ids, for each facet or face that does not hold what mesh.h says. Requires arrays of the right
-// sizes, ids in range, and facets numbered by face.
+// Appends a message, with ids, for each facet or face that does not hold what mesh.h says. Precondition: arrays have
+// the right sizes, ids are in range, and facets are numbered by face.
 void check_facets(const PolygonMesh& mesh, std::vector<std::string>& messages);
 
 // Sizes and ranges: what the other checks need in order to look at anything.

@@ -70,7 +70,7 @@ void check_defects(const PolygonMesh& mesh, Messages& messages) {
 
 }  // namespace
 
-// Sizes and ranges: what the other checks need in order to look at anything.
+// Sizes and ranges come first: the other checks need them in order to look at anything.
 Messages check_arrays(const PolygonMesh& mesh) {
   Messages messages;
   const auto require = [&](bool holds, const char* what) {

@@ -3,7 +3,7 @@
 namespace sightline::inline geometry {
 namespace {
 
-// Twice the area as a vector, of a face that need not be planar.
+// Returns twice the area of a face, which need not be planar, as a vector.
 Vector3 area_vector(const PolygonMesh& mesh, FaceId face, double scale) {
   const auto corners = mesh.faces[face.index()];
   const auto position = [&](std::size_t i) { return scale * mesh.position(corners[i]); };
@@ -13,7 +13,7 @@ Vector3 area_vector(const PolygonMesh& mesh, FaceId face, double scale) {
   return sum;
 }
 
-// Per vertex that stands for its position (Mesh::weld), the sum over the faces around it.
+// Returns the sum over the faces around each vertex that stands for its position (Mesh::weld).
 std::vector<Vector3> sums_at_positions(const PolygonMesh& mesh) {
   const double scale = unit_scale(mesh.vertices);
   std::vector<Vector3> sums(mesh.vertices.size());

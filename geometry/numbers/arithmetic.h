@@ -20,7 +20,7 @@ namespace sightline::inline geometry {
 
 enum class Arithmetic : std::uint8_t { single_precision, double_precision, exact };
 
-// "float", "double", "exact".
+// The names are "float", "double" and "exact".
 [[nodiscard]] const char* to_string(Arithmetic arithmetic);
 [[nodiscard]] std::optional<Arithmetic> arithmetic_named(std::string_view name);
 
@@ -32,7 +32,7 @@ struct Precision {
 
 constexpr int smallest_grid_bits = 8;
 
-// The value of `work`. An invariant that does not hold is a defect of sightline where the arithmetic is exact
+// Returns the value of `work`. An invariant that does not hold is a defect of sightline where the arithmetic is exact
 // (InternalError), and the arithmetic's doing where it is not (ArithmeticError).
 template <class Work>
 auto with_invariants_of(Arithmetic arithmetic, Work work) {

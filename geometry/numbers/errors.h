@@ -1,8 +1,19 @@
-// Every exception that sightline throws.
+// The exceptions that the library throws, and where.
 //
-// InputError and CameraError are thrown at the boundary, where input enters; inside, preconditions hold.
-// InternalError reports a broken invariant: a defect of sightline, never of the input. ArithmeticError reports one that
-// broke because float or double was asked for (arithmetic.h).
+//   InputError             read_obj, for a file that is refused
+//   CameraError            the functions that make a camera (camera.h)
+//   PanelError             panel_mesh, and make_mirror_world, which calls it (panel.h)
+//   std::invalid_argument  build_mesh, for a coordinate that is not finite and a corner that names no vertex
+//   InternalError          every stage from the sweep on, where an invariant is broken: that is a defect of sightline,
+//                          never of the input
+//   ArithmeticError        the projection and the stages after it, where an invariant broke because float or double
+//                          was asked for (arithmetic.h)
+//   std::runtime_error     png_image, where libpng fails
+//   std::bad_alloc         whatever needs memory
+//
+// The first four are thrown at the boundary, where input enters; inside, preconditions hold. Two more are caught within
+// the library: ConstraintConflict (constrained_delaunay.h), an InternalError where it is not expected, makes the
+// labelling give a surface one label, and TokenTooLong (obj_scanner.h) becomes an InputError.
 #pragma once
 
 #include <cstddef>
@@ -26,8 +37,13 @@ class InputError : public Error {
   std::size_t line_;
 };
 
-// A camera that defines no view: zero direction, singular matrix, angle out of range, ...
+// A camera defines no view: zero direction, singular matrix, angle out of range, ...
 class CameraError : public Error {
+  using Error::Error;
+};
+
+// A panel is no planar polygon; what() names it and says why.
+class PanelError : public Error {
   using Error::Error;
 };
 

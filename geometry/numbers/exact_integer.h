@@ -1,8 +1,9 @@
-// Exact arithmetic on doubles: any finite set of doubles is a set of integers times one common power of two.
+// Arithmetic on doubles can be exact, since any finite set of doubles is a set of integers times one common power of
+// two.
 //
-// Signs of homogeneous polynomials in the coordinates do not change under that common factor, so every predicate
-// that the filter leaves open is evaluated here in integers. Wide512 holds it without allocation where the exponents
-// are near each other (the normal case); BigInteger holds anything.
+// Signs of homogeneous polynomials in the coordinates do not change under that common factor, so every predicate that
+// the filter leaves open is evaluated here in integers. Wide512 holds it without allocation where the exponents are
+// near each other (the normal case); BigInteger holds anything.
 #pragma once
 
 #include <array>
@@ -19,7 +20,7 @@ using Wide256 = boost::multiprecision::number<boost::multiprecision::cpp_int_bac
 using Wide512 = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<
     512, 512, boost::multiprecision::signed_magnitude, boost::multiprecision::unchecked, void>>;
 
-// -1, 0 or +1.
+// A sign is -1, 0 or +1.
 using Sign = int;
 
 template <class Number>
@@ -27,7 +28,7 @@ constexpr Sign sign_of(const Number& value) {
   return value > 0 ? 1 : (value < 0 ? -1 : 0);
 }
 
-// A finite double as mantissa * 2^exponent with an odd mantissa; zero is 0 * 2^0.
+// A finite double is mantissa * 2^exponent with an odd mantissa; zero is 0 * 2^0.
 struct Dyadic {
   std::int64_t mantissa = 0;
   int exponent = 0;
@@ -43,7 +44,8 @@ inline Dyadic dyadic(double value) {
   return {mantissa, exponent - 53 + zeros};
 }
 
-// The exponents of a set of doubles: every one is an integer of at most `bits` bits times 2^lowest.
+// This is the range of the exponents of a set of doubles: every one is an integer of at most `bits` bits times
+// 2^lowest.
 struct ExponentRange {
   int lowest = 0;
   int bits = 0;
@@ -64,7 +66,7 @@ inline ExponentRange exponent_range(std::span<const double> values) {
   return {lowest, highest - lowest};
 }
 
-// value / 2^lowest, exactly; lowest is at most the exponent of value.
+// Returns value / 2^lowest, exactly; lowest is at most the exponent of value.
 template <class Integer>
 Integer scaled(double value, int lowest) {
   const Dyadic d = dyadic(value);
@@ -79,8 +81,8 @@ std::array<Integer, N> scaled(const std::array<double, N>& values, int lowest) {
   return result;
 }
 
-// The sign of polynomial(integers), where integers are `values` over their common power of two. `bits_needed(bits)`
-// bounds the size of every intermediate value for inputs of that many bits.
+// Returns the sign of polynomial(integers), where integers are `values` over their common power of two.
+// `bits_needed(bits)` bounds the size of every intermediate value for inputs of that many bits.
 template <std::size_t N, class Polynomial, class BitsNeeded>
 Sign exact_sign(const std::array<double, N>& values, Polynomial polynomial, BitsNeeded bits_needed) {
   const ExponentRange range = exponent_range(values);
@@ -88,8 +90,9 @@ Sign exact_sign(const std::array<double, N>& values, Polynomial polynomial, Bits
   return sign_of(polynomial(scaled<BigInteger>(values, range.lowest)));
 }
 
-// numerator / denominator rounded once to double, to nearest even; denominator > 0. The quotient is taken to 66 bits or
-// more, the last one sticky, which decides the rounding like all that follow it. A denormal result is rounded twice.
+// Returns numerator / denominator rounded once to double, to nearest even. Precondition: denominator > 0. The quotient
+// is taken to 66 bits or more, the last one sticky, which decides the rounding like all that follow it. A denormal
+// result is rounded twice.
 template <class Integer>
 double rounded_quotient(const Integer& numerator, const Integer& denominator) {
   if (numerator == 0) return 0;

@@ -14,7 +14,7 @@ ExactPosition in_lowest_terms(ExactPosition p) {
   return {p.x / divisor, p.y / divisor, p.z / divisor, p.w / divisor};
 }
 
-// q - p, up to the positive factor p.w * q.w.
+// Returns q - p, up to the positive factor p.w * q.w.
 Triple difference(const ExactPosition& p, const ExactPosition& q) {
   return {q.x * p.w - p.x * q.w, q.y * p.w - p.y * q.w, q.z * p.w - p.z * q.w};
 }
@@ -23,7 +23,7 @@ Triple cross(const Triple& u, const Triple& v) {
   return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
 }
 
-// The plane through p with this normal.
+// Returns the plane through p with this normal.
 ExactPlane plane_with_normal(const ExactPosition& p, const Triple& normal) {
   const BigInteger height = normal[0] * p.x + normal[1] * p.y + normal[2] * p.z;
   ExactPlane plane{normal[0] * p.w, normal[1] * p.w, normal[2] * p.w, -height};

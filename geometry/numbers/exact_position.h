@@ -2,9 +2,9 @@
 //
 // A position is (x, y, z) / w in integers of any size, in lowest terms with w > 0: equal points have equal numbers. A
 // plane is a form (a, b, c, d) that is positive on its front side. Both come from finite doubles.
-// Complexity: the numbers of a point that lies in three planes of the input have about 10 times the bits that the input's
-// coordinates have as integers over a common power of two; a greatest common divisor after each construction keeps them
-// there.
+// Complexity: the numbers of a point that lies in three planes of the input have about 10 times the bits that the
+// input's coordinates have as integers over a common power of two; a greatest common divisor after each construction
+// keeps them there.
 #pragma once
 
 #include "geometry/numbers/exact_integer.h"
@@ -16,36 +16,37 @@ struct ExactPosition {
   BigInteger x, y, z, w;
   friend bool operator==(const ExactPosition&, const ExactPosition&) = default;
 
-  // Each coordinate rounded once.
+  // Returns the position with each coordinate rounded once.
   [[nodiscard]] Point3 rounded() const;
 };
 
 [[nodiscard]] ExactPosition exact_position(const Point3& p);
 
-// Smaller x, then smaller y, then smaller z: along a line, one direction.
+// Compares x first, then y, then z: along a line that is one direction.
 [[nodiscard]] Sign lexicographic_order(const ExactPosition& a, const ExactPosition& b);
 
 [[nodiscard]] bool collinear(const ExactPosition& a, const ExactPosition& b, const ExactPosition& c);
 
-// orient2d of the positions without one coordinate (drop_axis in predicates.h).
+// Returns orient2d of the positions without one coordinate (drop_axis in predicates.h).
 [[nodiscard]] Sign orientation_without(int axis, const ExactPosition& a, const ExactPosition& b,
                                        const ExactPosition& c);
 
 struct ExactPlane {
   BigInteger a, b, c, d;
 
-  // Up to a positive factor the height of p over the plane: > 0 where a, b, c are seen counter-clockwise from p.
+  // Returns, up to a positive factor, the height of p over the plane: it is > 0 where a, b, c are seen
+  // counter-clockwise from p.
   [[nodiscard]] BigInteger height(const ExactPosition& p) const { return a * p.x + b * p.y + c * p.z + d * p.w; }
   [[nodiscard]] Sign side(const ExactPosition& p) const { return sign_of(height(p)); }
   [[nodiscard]] ExactPlane turned() const { return {-a, -b, -c, -d}; }
 };
 
-// The plane of three points that are not on one line, and that of two points and a direction that is not theirs; what
-// is in front has orient3d(p, q, r, .) > 0, for the direction as for a point far away.
+// The first is the plane of three points that are not on one line, the second that of two points and a direction that
+// is not theirs; what is in front has orient3d(p, q, r, .) > 0, for the direction as for a point far away.
 [[nodiscard]] ExactPlane plane_through(const ExactPosition& p, const ExactPosition& q, const ExactPosition& r);
 [[nodiscard]] ExactPlane plane_towards(const ExactPosition& p, const ExactPosition& q, const Vector3& direction);
 
-// Where the line from p to q meets the plane; the plane has them strictly on different sides.
+// Returns where the line from p to q meets the plane. Precondition: they lie strictly on different sides of it.
 [[nodiscard]] ExactPosition intersection(const ExactPlane& plane, const ExactPosition& p, const ExactPosition& q);
 
 }  // namespace sightline::inline geometry

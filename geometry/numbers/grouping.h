@@ -1,7 +1,7 @@
 // Items by group: a counting sort on all threads.
 //
-// In:  how many groups; for_each(visit), which calls visit(group, item) for each item, and for the same ones whenever it is
-//      called, from any threads.
+// In:  how many groups; for_each(visit), which calls visit(group, item) for each item, and for the same ones whenever
+//      it is called, from any threads.
 // Out: the items of each group next to each other, in an order that the threads decide: whoever needs one sorts them.
 // Complexity: O(groups + items).
 #pragma once
@@ -30,7 +30,7 @@ class Grouping {
   }
 
   [[nodiscard]] std::size_t item_count() const { return items_.size(); }
-  // Of all groups before this one.
+  // Returns how many items all groups before this one have.
   [[nodiscard]] std::uint32_t items_before(std::size_t group) const { return begin_[group]; }
   [[nodiscard]] std::span<Item> of(std::size_t group) {
     return std::span(items_).subspan(begin_[group], begin_[group + 1] - begin_[group]);

@@ -1,4 +1,4 @@
-// What ids are called in messages: "facet 12".
+// Messages name an id by its kind and number: "facet 12".
 #pragma once
 
 #include <string>

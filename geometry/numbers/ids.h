@@ -1,4 +1,4 @@
-// Strong index types: an index into one kind of array cannot be used for another.
+// Index types are strong: an index into one kind of array cannot be used for another.
 #pragma once
 
 #include <compare>

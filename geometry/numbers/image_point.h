@@ -1,9 +1,9 @@
-// Points of the image, rounded once to the grid, and the planar predicates on them, all exact.
+// Points of the image are rounded once to the grid, and the planar predicates on them are exact.
 //
 // The window [-1, 1]^2 is [-2^b, 2^b]^2 in grid units for b grid bits (40 by default), so a coordinate has at most 41
 // bits and a sign, a difference 42, an orientation 2 * 42 + 1: everything here fits 128 bits.
 //
-// Sweep order: top to bottom (y descending), then left to right (x ascending). It tilts the sweep line by an
+// The sweep order goes top to bottom (y descending), then left to right (x ascending). It tilts the sweep line by an
 // infinitesimal angle, so that horizontal edges need no special treatment (Fang's appendix B rotates them away).
 #pragma once
 
@@ -23,15 +23,15 @@ struct ImagePoint {
   friend constexpr bool operator==(const ImagePoint&, const ImagePoint&) = default;
 };
 
-// a before b in sweep order.
+// Returns whether a is before b in sweep order.
 constexpr bool sweeps_before(const ImagePoint& a, const ImagePoint& b) { return a.y != b.y ? a.y > b.y : a.x < b.x; }
 
-// Twice the signed area of a, b, c.
+// Returns twice the signed area of a, b, c.
 constexpr Int128 twice_area(const ImagePoint& a, const ImagePoint& b, const ImagePoint& c) {
   return static_cast<Int128>(b.x - a.x) * (c.y - a.y) - static_cast<Int128>(b.y - a.y) * (c.x - a.x);
 }
 
-// +1 where a, b, c turn counter-clockwise. Symmetry: swapping two arguments flips the sign.
+// Returns +1 where a, b, c turn counter-clockwise. Swapping two arguments flips the sign.
 constexpr Sign orientation(const ImagePoint& a, const ImagePoint& b, const ImagePoint& c) {
   return sign_of(twice_area(a, b, c));
 }

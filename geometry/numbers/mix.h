@@ -1,5 +1,5 @@
-// A bijection on 64 bits that spreads neighbouring numbers: SplitMix64's finaliser (Steele, Lea, Flood 2014). For
-// priorities and fingerprints that must be the same in every run; nothing is ordered or found by it.
+// This is a bijection on 64 bits that spreads neighbouring numbers: SplitMix64's finaliser (Steele, Lea, Flood 2014).
+// It is for priorities and fingerprints that must be the same in every run; nothing is ordered or found by it.
 #pragma once
 
 #include <cstdint>

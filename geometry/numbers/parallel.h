@@ -21,14 +21,14 @@ void parallel_for_each(std::size_t count, std::size_t grain, const Work& work) {
                     });
 }
 
-// For items that cost little each.
+// This is for items that cost little each.
 template <class Work>
 void parallel_for_each(std::size_t count, const Work& work) {
   constexpr std::size_t grain = 4096;
   parallel_for_each(count, grain, work);
 }
 
-// [0, count) in ranges of this many items, the last one shorter.
+// The numbers below count are divided into ranges of this many, of which the last one may be shorter.
 constexpr std::size_t items_per_range = 1 << 14;
 
 // Calls work(range, begin, end) for each such range, in no order; range counts from 0.

@@ -6,17 +6,17 @@
 namespace sightline::inline geometry {
 namespace {
 
-// orient3d in double: differences (1 rounding each), 2x2 minors (2 more), times a difference (1), summed (2). Expanded,
-// the error is at most (7 + 56 u) u times the permanent, the same expression with absolute values (Shewchuk 1997,
-// theorem on orient3d's stage A); 8 u covers it and the roundings of the bound itself.
+// In double, orient3d takes differences (1 rounding each), 2x2 minors (2 more), a product with a difference (1) and
+// sums (2). Expanded, the error is at most (7 + 56 u) u times the permanent, the same expression with absolute values
+// (Shewchuk 1997, theorem on orient3d's stage A); 8 u covers it and the roundings of the bound itself.
 constexpr double orient3d_bound = 8 * unit_roundoff;
 static_assert(orient3d_bound >= (7 + 56 * unit_roundoff) * unit_roundoff * (1 + 8 * unit_roundoff));
 
-// orient2d: (3 + 16 u) u times the permanent (Shewchuk 1997); 4 u covers it.
+// The error of orient2d is at most (3 + 16 u) u times the permanent (Shewchuk 1997); 4 u covers it.
 constexpr double orient2d_bound = 4 * unit_roundoff;
 static_assert(orient2d_bound >= (3 + 16 * unit_roundoff) * unit_roundoff * (1 + 8 * unit_roundoff));
 
-// in_circle: (10 + 96 u) u times the permanent (Shewchuk 1997); 11 u covers it.
+// The error of in_circle is at most (10 + 96 u) u times the permanent (Shewchuk 1997); 11 u covers it.
 constexpr double in_circle_bound = 11 * unit_roundoff;
 static_assert(in_circle_bound >= (10 + 96 * unit_roundoff) * unit_roundoff * (1 + 8 * unit_roundoff));
 // The bounds above suppose that nothing over- or underflows. With all differences below 2^340 no product of three
@@ -24,8 +24,8 @@ static_assert(in_circle_bound >= (10 + 96 * unit_roundoff) * unit_roundoff * (1 
 // than 2^4 of them: less than 2^-700 in all.
 constexpr double largest_difference = 0x1p340;
 constexpr double underflow_bound = 0x1p-700;
-// in_circle: with differences below 2^180 a lift is below 2^361, and so is a minor. An underflow in one costs at most
-// 2^-1074 times the other, less than 2^-713, and there are fewer than 2^4 of them: less than 2^-700 in all.
+// In in_circle, with differences below 2^180, a lift is below 2^361, and so is a minor. An underflow in one costs at
+// most 2^-1074 times the other, less than 2^-713, and there are fewer than 2^4 of them: less than 2^-700 in all.
 constexpr double largest_in_circle_difference = 0x1p180;
 
 bool in_range(const Vector3& v) {
@@ -33,7 +33,7 @@ bool in_range(const Vector3& v) {
          std::fabs(v.z) < largest_difference;
 }
 
-// Points in one plane across an axis: a column of exact zeros (a difference rounds to zero only where it is zero).
+// Points in one plane across an axis make a column of exact zeros (a difference rounds to zero only where it is zero).
 bool share_zero_coordinate(const Vector3& u, const Vector3& v, const Vector3& w) {
   return (u.x == 0 && v.x == 0 && w.x == 0) || (u.y == 0 && v.y == 0 && w.y == 0) || (u.z == 0 && v.z == 0 && w.z == 0);
 }
@@ -106,7 +106,7 @@ std::optional<Sign> in_circle(const Point2& a, const Point2& b, const Point2& c,
 
 namespace predicates::exact {
 
-// Coordinates of B bits: differences B + 1, the determinant 3 (B + 1) + 3.
+// With coordinates of B bits the differences have B + 1 and the determinant 3 (B + 1) + 3.
 Sign orient3d(const Point3& a, const Point3& b, const Point3& c, const HomogeneousPoint& d) {
   const std::array values{a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, d.xyz.x, d.xyz.y, d.xyz.z};
   const auto polynomial = [w = d.w](const auto& p) {
@@ -127,7 +127,8 @@ Sign orient2d(const Point2& a, const Point2& b, const Point2& c) {
   return exact_sign(values, polynomial, [](int bits) { return 2 * (bits + 1) + 1; });
 }
 
-// Differences B + 1, lifted 2 (B + 1) + 1, times a minor of as many bits, and three of those.
+// Differences have B + 1 bits and are lifted to 2 (B + 1) + 1; these are multiplied by a minor of as many bits, and
+// three such products are added.
 Sign in_circle(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
   const std::array values{a.x, a.y, b.x, b.y, c.x, c.y, d.x, d.y};
   const auto polynomial = [](const auto& p) {

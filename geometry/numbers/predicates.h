@@ -23,7 +23,7 @@
 
 namespace sightline::inline geometry {
 
-// A point, or with w = 0 the direction towards a point at infinity. No other w occurs.
+// With w = 1 this is a point, with w = 0 the direction towards a point at infinity. No other w occurs.
 struct HomogeneousPoint {
   Vector3 xyz;
   int w = 1;
@@ -37,7 +37,7 @@ struct Point2 {
 
 namespace predicates {
 
-// What the predicates did, for the report: calls, and how many of them the filter decided.
+// The counts say what the predicates did, for the report: calls, and how many of them the filter decided.
 struct Counts {
   std::uint64_t calls = 0;
   std::uint64_t filtered = 0;
@@ -65,15 +65,15 @@ namespace exact {
 [[nodiscard]] Sign orient2d(const Point2& a, const Point2& b, const Point2& c);
 [[nodiscard]] Sign in_circle(const Point2& a, const Point2& b, const Point2& c, const Point2& d);
 
-// The point without one coordinate (0: x, 1: y, 2: z), the remaining two in cyclic order, so that a triangle whose
-// normal has a positive component along `axis` stays counter-clockwise.
+// Returns the point without one coordinate (0: x, 1: y, 2: z), the remaining two in cyclic order, so that a triangle
+// whose normal has a positive component along `axis` stays counter-clockwise.
 [[nodiscard]] constexpr Point2 drop_axis(const Point3& p, int axis) {
   if (axis == 0) return {p.y, p.z};
   if (axis == 1) return {p.z, p.x};
   return {p.x, p.y};
 }
 
-// Whether three points lie on one line, exactly.
+// Returns whether three points lie on one line, exactly.
 [[nodiscard]] bool collinear(const Point3& a, const Point3& b, const Point3& c);
 
 }  // namespace sightline::inline geometry

@@ -23,26 +23,26 @@ Vector3 divided(const Vector3& v, double divisor) {
   return {v.x / divisor + 0.0, v.y / divisor + 0.0, v.z / divisor + 0.0};
 }
 
-// a * b - c * d to 1.5 units in the last place: zero only where the exact value is (Kahan; Jeannerod, Louvet and Muller
-// 2013).
+// Returns a * b - c * d to 1.5 units in the last place: it is zero only where the exact value is (Kahan; Jeannerod,
+// Louvet and Muller 2013).
 double difference_of_products(double a, double b, double c, double d) {
   const double cd = c * d;
   return std::fma(a, b, -cd) + std::fma(-c, d, cd);
 }
 
-// Every component to 1.5 units in the last place, however close to parallel a and b are.
+// Every component is right to 1.5 units in the last place, however close to parallel a and b are.
 Vector3 accurate_cross(const Vector3& a, const Vector3& b) {
   return {difference_of_products(a.y, b.z, a.z, b.y), difference_of_products(a.z, b.x, a.x, b.z),
           difference_of_products(a.x, b.y, a.y, b.x)};
 }
 
-// The direction from a to b; halves first where the difference would overflow.
+// Returns the direction from a to b; halves first where the difference would overflow.
 Vector3 direction(const Point3& a, const Point3& b) {
   const Vector3 difference = b - a;
   return with_moderate_exponent(finite(difference) ? difference : 0.5 * b - 0.5 * a);
 }
 
-// tan(degrees / 2); 90 degrees give exactly 1, and angles near 180 lose nothing.
+// Returns tan(degrees / 2); 90 degrees give exactly 1, and angles near 180 lose nothing.
 double tangent_of_half(double degrees) {
   if (degrees > 90) return 1 / tangent_of_half(180 - degrees);
   const double angle = degrees * (std::numbers::pi / 180);
@@ -66,7 +66,7 @@ void check_distances(const Camera& camera) {
   require(!near_distance || !far_distance || *near_distance < *far_distance, camera.name, "near is not less than far");
 }
 
-// The rows, too: parameters in range can still be so extreme that a row overflows or vanishes.
+// The rows are checked, too: parameters in range can still be so extreme that a row overflows or vanishes.
 Camera checked(Camera camera) {
   check_distances(camera);
   require(finite(camera.right) && finite(camera.up) && finite(camera.origin), camera.name,
@@ -76,7 +76,7 @@ Camera checked(Camera camera) {
   return camera;
 }
 
-// half_height: half the window's height, at distance 1 for a pinhole.
+// half_height is half the window's height, at distance 1 for a pinhole.
 Camera looking_camera(std::string name, const ViewPoint& view, double half_height) {
   const Vector3 along = direction(view.eye, view.target);
   const Vector3 across = accurate_cross(along, with_moderate_exponent(view.up));
@@ -102,7 +102,7 @@ BigInteger determinant(const Columns& columns, std::size_t a, std::size_t b, std
   return columns[a][0] * minor(1, 2) + columns[a][1] * minor(2, 0) + columns[a][2] * minor(0, 1);
 }
 
-// The integers that P is, over one power of two.
+// Returns the integers that P is, over one power of two.
 Columns integer_columns(const Matrix34& p) {
   std::array<double, 12> entries;
   for (std::size_t i = 0; i < 12; ++i) entries[i] = p[i / 4][i % 4];
@@ -116,7 +116,8 @@ double rounded(const BigInteger& numerator, const BigInteger& denominator) {
   return boost::multiprecision::cpp_rational(numerator, denominator).convert_to<double>() + 0.0;
 }
 
-// The null vector (c, 1) of P by Cramer's rule, exactly, then rounded to double. det(P[:, :3]) > 0.
+// Returns the null vector (c, 1) of P by Cramer's rule, exactly, then rounded to double. Precondition: det(P[:, :3]) >
+// 0.
 Point3 centre_of_projection(const Matrix34& p) {
   const Columns columns = integer_columns(p);
   const BigInteger denominator = determinant(columns, 0, 1, 2);
@@ -126,7 +127,7 @@ Point3 centre_of_projection(const Matrix34& p) {
 
 Vector3 row(const Matrix34& p, std::size_t i) { return {p[i][0], p[i][1], p[i][2]}; }
 
-// The sign of det(P[:, :3]), exactly.
+// Returns the sign of det(P[:, :3]), exactly.
 Sign handedness(const Matrix34& p) { return orient3d(Point3{}, row(p, 0), row(p, 1), row(p, 2)); }
 
 template <std::size_t Rows, std::size_t Columns>
@@ -147,7 +148,7 @@ std::array<std::array<double, Columns>, 3> times(const Matrix3& a,
   return product;
 }
 
-// The same camera with the largest entry in [1, 2), by a power of two, and a positive determinant.
+// Returns the same camera with the largest entry in [1, 2), by a power of two, and a positive determinant.
 Matrix34 normalised(const Matrix34& p) {
   double size = 0;
   for (std::size_t i = 0; i < 3; ++i) size = std::max(size, largest_coordinate(row(p, i)));
@@ -158,7 +159,7 @@ Matrix34 normalised(const Matrix34& p) {
   return result;
 }
 
-// a * v + b * w, rounded once per component if a * v is exact.
+// Returns a * v + b * w, rounded once per component if a * v is exact.
 Vector3 combined(double a, const Vector3& v, double b, const Vector3& w) {
   return {std::fma(b, w.x, a * v.x), std::fma(b, w.y, a * v.y), std::fma(b, w.z, a * v.z)};
 }
@@ -168,8 +169,8 @@ void check_image(const std::string& name, const PixelImage& image) {
   require(std::isfinite(image.height) && image.height > 0, name, "the image's height is not a positive number");
 }
 
-// Pixels to the window: x = 2 (u + shift) / width - 1 and y = 1 - 2 (v + shift) / height, where shift is the first
-// pixel's half where its centre is (0, 0).
+// Pixels become the window by x = 2 (u + shift) / width - 1 and y = 1 - 2 (v + shift) / height, where shift is half a
+// pixel where the first pixel's centre is (0, 0).
 Camera pixel_camera(std::string name, const Matrix34& p, const Point3& origin, const PixelImage& image) {
   const Matrix34 m = normalised(p);
   const double twice_shift = image.origin == PixelOrigin::center ? 1 : 0;
@@ -204,7 +205,7 @@ Camera orthographic_camera(std::string name, const ViewPoint& view, double heigh
   require(std::isfinite(height) && height > 0, name, "the orthographic height is not a positive number");
   Camera camera = looking_camera(std::move(name), view, height / 2);
   camera.projection = Projection::orthographic;
-  // Not the unit vector: that is rounded, and a face along the given direction would no longer be seen edge-on.
+  // This is not the unit vector: that is rounded, and a face along the given direction would no longer be seen edge-on.
   camera.eye = {direction(view.target, view.eye), 0};
   return checked(std::move(camera));
 }

@@ -48,16 +48,17 @@ struct ViewPoint {
   std::optional<double> far_distance;
 };
 
-// fov_y: the full vertical angle in degrees, in (0, 180).
+// fov_y is the full vertical angle in degrees, in (0, 180).
 [[nodiscard]] Camera perspective_camera(std::string name, const ViewPoint& view, double fov_y_degrees);
 
-// height: the window's height in input units.
+// height is the window's height in input units.
 [[nodiscard]] Camera orthographic_camera(std::string name, const ViewPoint& view, double height);
 
 using Matrix3 = std::array<std::array<double, 3>, 3>;
 using Matrix34 = std::array<std::array<double, 4>, 3>;
 
-// Where pixel coordinates begin: `corner`: the first pixel's centre is (0.5, 0.5); `center`: it is (0, 0).
+// This says where pixel coordinates begin: at `corner` the first pixel's centre is (0.5, 0.5), at `center` it is (0,
+// 0).
 enum class PixelOrigin { corner, center };
 
 struct PixelImage {
@@ -68,8 +69,8 @@ struct PixelImage {
   std::optional<double> far_distance;
 };
 
-// Pixels: x right, y down; camera frame: z forward. P maps (v, 1) to homogeneous pixels. P and -P are the same camera;
-// the one with det(P[:, :3]) > 0 is meant (K with a positive diagonal and R a rotation).
+// Pixels have x to the right and y down; the camera looks along z. P maps (v, 1) to homogeneous pixels. P and -P are
+// the same camera; the one with det(P[:, :3]) > 0 is meant (K with a positive diagonal and R a rotation).
 [[nodiscard]] Camera projection_matrix_camera(std::string name, const Matrix34& p, const PixelImage& image);
 [[nodiscard]] Camera calibrated_camera(std::string name, const Matrix3& k, const Matrix3& r, const Vector3& t,
                                        const PixelImage& image);

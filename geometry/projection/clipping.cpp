@@ -7,7 +7,7 @@ namespace {
 
 using Polygon = std::vector<ExactCorner>;
 
-// The camera and the facet's vertices as integers over one power of two.
+// This has the camera and the facet's vertices as integers over one power of two.
 class CommonScale {
  public:
   CommonScale(const Camera& camera, std::span<const Point3> vertices) {
@@ -24,8 +24,8 @@ class CommonScale {
   int lowest_ = 0;
 };
 
-// The point (x, y, z) / w, in scaled numbers. Every coordinate below is of degree two in these and of degree one in
-// (x, y, z, w), so that they share the factor `one`.
+// Returns the point (x, y, z) / w, in scaled numbers. Every coordinate below is of degree two in these and of degree
+// one in (x, y, z, w), so that they share the factor `one`.
 ExactCorner homogeneous(const BigInteger& x, const BigInteger& y, const BigInteger& z, const BigInteger& w,
                         const Camera& camera, const CommonScale& scale) {
   const BigInteger dx = x - scale(camera.origin.x) * w;
@@ -51,7 +51,7 @@ ExactCorner homogeneous(const Point3& v, const Camera& camera, const CommonScale
   return homogeneous(scale(v.x), scale(v.y), scale(v.z), 1, camera, scale);
 }
 
-// A vertex of the input, or one that cutting made.
+// The vertex is the input's, or one that cutting made.
 ExactCorner homogeneous(const CutMesh& mesh, VertexId v, const Camera& camera, const CommonScale& scale) {
   if (v.index() < mesh.input_vertex_count()) return homogeneous(mesh.position(v), camera, scale);
   const ExactPosition p = exact_position(mesh, v);
@@ -59,8 +59,8 @@ ExactCorner homogeneous(const CutMesh& mesh, VertexId v, const Camera& camera, c
   return homogeneous(p.x * unit, p.y * unit, p.z * unit, p.w, camera, scale);
 }
 
-// Where the segment from `inside` (WEC > 0) to `outside` (WEC < 0) meets the bound: Fang's equation 5.7 without the
-// division.
+// Returns where the segment from `inside` (WEC > 0) to `outside` (WEC < 0) meets the bound: Fang's equation 5.7 without
+// the division.
 ExactCorner intersection(const ExactCorner& inside, const BigInteger& wec_inside, const ExactCorner& outside,
                          const BigInteger& wec_outside) {
   const auto blend = [&](BigInteger ExactCorner::*coordinate) {
@@ -96,8 +96,8 @@ Polygon clip_at(const Polygon& polygon, const Camera& camera, std::size_t bound)
   return result;
 }
 
-// depth - distance, over a common positive factor: the distances are doubles, hence fractions with a power of two
-// below.
+// Returns depth - distance, over a common positive factor: the distances are doubles, hence fractions with a power of
+// two below.
 BigInteger beyond(const ExactCorner& corner, double distance) {
   const Dyadic d = dyadic(distance);
   const BigInteger bound = corner.one * d.mantissa;

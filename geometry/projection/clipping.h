@@ -20,8 +20,8 @@
 
 namespace sightline::inline geometry {
 
-// A point in the camera's homogeneous coordinates and in the input's, over one common positive factor of its own:
-// X = x / one, W = w / one, ..., position = (px, py, pz) / one.
+// An exact corner is a point in the camera's homogeneous coordinates and in the input's, over one common positive
+// factor of its own: X = x / one, W = w / one, ..., position = (px, py, pz) / one.
 struct ExactCorner {
   BigInteger x, y, w, depth;
   BigInteger px, py, pz, one;
@@ -35,15 +35,15 @@ struct ExactCorner {
 
 [[nodiscard]] std::vector<ExactCorner> clip(const CutMesh& mesh, const Camera& camera, FacetId facet);
 
-// The grid point nearest to the projection of an exact corner, ties away from the window's centre line.
+// Returns the grid point nearest to the projection of an exact corner, ties away from the window's centre line.
 [[nodiscard]] ImagePoint round_to_grid(const ExactCorner& corner, int grid_bits);
 
-// The corner of a facet that one vertex makes, unclipped.
+// Returns the corner of a facet that one vertex makes, unclipped.
 [[nodiscard]] ExactCorner exact_corner(const Point3& vertex, const Camera& camera);
 [[nodiscard]] ExactCorner exact_corner(const CutMesh& mesh, VertexId vertex, const Camera& camera);
 
-// The window edge coordinates of the left, right, bottom, top, near and far bound, each up to a positive factor:
-// negative outside. A bound that the camera does not have is satisfied.
+// Returns the window edge coordinates of the left, right, bottom, top, near and far bound, each up to a positive
+// factor: they are negative outside. A bound that the camera does not have is satisfied.
 constexpr std::size_t bound_count = 6;
 [[nodiscard]] std::vector<BigInteger> window_edge_coordinates(const Camera& camera, const ExactCorner& corner);
 

@@ -8,12 +8,12 @@
 namespace sightline::inline geometry {
 namespace {
 
-// Why culling could change the picture; nothing where it cannot.
+// An objection says why culling could change the picture; there is none where it cannot.
 using Objection = std::optional<std::string>;
 
 std::string name(std::uint32_t id) { return std::to_string(id); }
 
-// How many facets run through an edge from its first end to its second, and back.
+// This counts how many facets run through an edge from its first end to its second, and back.
 struct EdgeUse {
   std::uint32_t forward = 0;
   std::uint32_t backward = 0;
@@ -58,7 +58,7 @@ Objection first_crossing(const CutMesh& mesh, const MeshContacts& contacts) {
   return describe(mesh, {mesh.cuts.first_facet[a.index()], mesh.cuts.first_facet[b.index()]}, "cross");
 }
 
-// Facets of a mesh that was not cut keep their numbers.
+// A mesh that was not cut has its facets under their own numbers.
 Objection first_touch(const CutMesh& mesh, const MeshContacts& contacts) {
   if (!contacts.touching.empty()) return describe(mesh, contacts.touching.front(), "touch");
   return std::nullopt;

@@ -29,7 +29,7 @@ struct SidesDecision {
   std::string reason;  // for the report, e.g. "both sides: edge 12-17 has one facet"
 };
 
-// `contacts`: how the mesh met itself before it was cut along common lines, if it was (interpenetration.h).
+// `contacts` says how the mesh met itself before it was cut along common lines, if it was (interpenetration.h).
 [[nodiscard]] SidesDecision decide_sides(const CutMesh& mesh, const MeshContacts& contacts, const Camera& camera,
                                          SidesPolicy policy);
 

@@ -57,7 +57,8 @@ OutcodeSummary summarize(std::span<const VertexId> corners, const std::vector<Pr
   return {any_outside == 0, all_on_or_outside != 0};
 }
 
-// A point of the image before points are numbered, and whose it is: a vertex's, or a corner's that clipping made.
+// A place is a point of the image before points are numbered, with whose it is: a vertex's, or a corner's that clipping
+// made.
 struct Place {
   ImagePoint image;
   std::uint32_t owner = 0;
@@ -86,7 +87,7 @@ class SceneBuilder {
   }
 
  private:
-  // A corner of a facet that was clipped; no vertex: with its point and what it is.
+  // This is a corner of a facet that was clipped; where it has no vertex, it comes with its point and what it is.
   struct Corner {
     VertexId vertex;
     MeshEdgeId edge_after;
@@ -94,7 +95,7 @@ class SceneBuilder {
     MadeCorner made;
   };
 
-  // Facets by ranges: each is worked on by one thread.
+  // Facets are clipped by ranges: each is worked on by one thread.
   struct Clipped {
     FacetId facet;
     std::vector<Corner> polygon;
@@ -116,7 +117,7 @@ class SceneBuilder {
     for (std::size_t f = 0; f < mesh_.facet_count(); ++f) scene_.polygon_begin[f + 1] += scene_.polygon_begin[f];
   }
 
-  // That of a facet that is in view may still change when it is clipped.
+  // The status of a facet that is in view may still change when it is clipped.
   [[nodiscard]] Status status_of(FacetId f) const {
     const Facing facing = scene_.facing[f.index()];
     if (facing == Facing::edge_on) return Status::edge_on;
@@ -166,7 +167,7 @@ class SceneBuilder {
     projected_ = {};
   }
 
-  // Per range of facets, the number of the first corner that clipping made there.
+  // Returns, per range of facets, the number of the first corner that clipping made there.
   std::vector<std::size_t> number_made_corners() {
     std::vector<std::size_t> first_made;
     std::size_t made = 0;
@@ -237,7 +238,7 @@ class SceneBuilder {
     return place == 0 || places_[place - 1].image != places_[place].image;
   }
 
-  // Per range of places and one more, how many points lie before it.
+  // Returns, per range of places and one more, how many points lie before it.
   [[nodiscard]] std::vector<std::size_t> count_points() const {
     std::vector<std::size_t> before(range_count(places_.size()) + 1, 0);
     parallel_for_ranges(places_.size(), [&](std::size_t range, std::size_t begin, std::size_t end) {

@@ -32,10 +32,10 @@
 
 namespace sightline::inline geometry {
 
-// Which side of the facet's plane the eye is on, exactly.
+// The facing says which side of the facet's plane the eye is on, exactly.
 enum class Facing : std::uint8_t { front, back, edge_on };
 
-// What becomes of a facet. A status that is not listed here does not exist.
+// The status says what becomes of a facet. A status that is not listed here does not exist.
 enum class Status : std::uint8_t {
   in_view,      // swept: some of it lies in the view volume
   out_of_view,  // none of it lies in the view volume, or it only touches its border
@@ -43,7 +43,7 @@ enum class Status : std::uint8_t {
   culled,       // back-facing, and the scene shows front sides only
 };
 
-// Whether back-facing facets are seen and in the way (both) or neither (front).
+// The sides say whether back-facing facets are seen and in the way (both) or neither (front).
 enum class Sides : std::uint8_t { front, both };
 
 // Crossing the edge from left to right adds `winding` to the facet's winding number; the facet is there where it is not
@@ -60,7 +60,7 @@ struct SceneEdge {
   std::uint32_t first_side = 0;  // its sides: [first_side, the next edge's first_side)
 };
 
-// A corner of a facet's polygon in the view volume: a vertex, or made by clipping.
+// A corner of a facet's polygon in the view volume is a vertex, or was made by clipping.
 struct ClippedCorner {
   PointId point;
   VertexId vertex;        // invalid: made by clipping
@@ -68,7 +68,7 @@ struct ClippedCorner {
   MeshEdgeId edge_after;  // of the edge to the next corner; invalid: along the view volume's border
 };
 
-// A corner where clipping cut a facet's border.
+// Clipping made this corner where it cut a facet's border.
 struct MadeCorner {
   Point3 position;           // in input coordinates
   double weight = 1;         // its W of the camera
@@ -107,25 +107,25 @@ struct ProjectedScene {
     const auto first = edges[e.index()].first_side;
     return std::span(sides).subspan(first, edges[e.index() + 1].first_side - first);
   }
-  // In the orientation of the facet's corners; empty unless the status is in_view.
+  // The polygon has the orientation of the facet's corners; it is empty unless the status is in_view.
   [[nodiscard]] std::span<const ClippedCorner> polygon(FacetId f) const {
     const auto first = polygon_begin[f.index()];
     return std::span(polygon_corners).subspan(first, polygon_begin[f.index() + 1] - first);
   }
   // Precondition: clipping made it.
   [[nodiscard]] const MadeCorner& made(const ClippedCorner& corner) const { return made_corners[corner.made.index()]; }
-  // The mesh edge on which clipping made the corner; invalid where there is none.
+  // Returns the mesh edge on which clipping made the corner; invalid where there is none.
   [[nodiscard]] MeshEdgeId cut_edge(const ClippedCorner& corner) const {
     return corner.made.valid() ? made(corner).on_edge : MeshEdgeId{};
   }
 };
 
-// A corner in input coordinates; the vertex's own where it is one.
+// Returns a corner in input coordinates; the vertex's own where it is one.
 [[nodiscard]] inline const Point3& position_of(const ProjectedScene& scene, const ClippedCorner& corner) {
   return corner.vertex.valid() ? scene.mesh().position(corner.vertex) : scene.made(corner).position;
 }
 
-// A corner's W of the camera: its perspective weight.
+// Returns a corner's W of the camera: its perspective weight.
 [[nodiscard]] inline double weight_of(const ProjectedScene& scene, const ClippedCorner& corner) {
   return corner.vertex.valid() ? scene.vertex_weights[corner.vertex.index()] : scene.made(corner).weight;
 }
@@ -136,7 +136,7 @@ struct ProjectedScene {
 // The same for a mesh that the scene takes for itself; it is copied unless it is moved.
 [[nodiscard]] ProjectedScene project(CutMesh mesh, const Camera& camera, Sides sides, const Precision& precision = {});
 
-// What of the above does not hold, one line each, with the ids; empty for a valid scene.
+// Returns what of the above does not hold, one line each, with the ids; nothing for a valid scene.
 [[nodiscard]] std::vector<std::string> validate(const ProjectedScene& scene);
 
 }  // namespace sightline::inline geometry

@@ -9,7 +9,7 @@
 namespace sightline::inline geometry {
 namespace {
 
-// A side of a facet: the edge after one of its corners.
+// A side of a facet is the edge after one of its corners.
 struct PlacedSide {
   PointId bottom;
   std::uint32_t corner = 0;
@@ -36,8 +36,8 @@ void for_each_side(const ProjectedScene& scene, const Visit& visit) {
   });
 }
 
-// Of one top. first: the number of the first of these sides. The boundary of a facet that is counter-clockwise in the image
-// runs down its left border: there the winding grows from left to right.
+// Adds the sides of one top; `first` is the number of the first of these. The boundary of a facet that is
+// counter-clockwise in the image runs down its left border: there the winding grows from left to right.
 void add_sides(PointId top, std::span<const PlacedSide> placed, std::size_t first, std::vector<SceneEdge>& edges,
                ProjectedScene& scene) {
   for (std::size_t i = 0; i < placed.size(); ++i) {
@@ -49,7 +49,7 @@ void add_sides(PointId top, std::span<const PlacedSide> placed, std::size_t firs
   }
 }
 
-// And one more, which only ends the sides.
+// One more edge, after all of them, only ends the sides.
 void put_together(std::vector<std::vector<SceneEdge>>& parts, ProjectedScene& scene) {
   std::size_t count = 1;
   for (const auto& part : parts) count += part.size();

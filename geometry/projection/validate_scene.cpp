@@ -10,12 +10,12 @@ namespace {
 
 using Messages = std::vector<std::string>;
 
-// begin[i] .. begin[i + 1] are the ranges of `count` lists that together are `total` elements.
+// Returns whether begin[i] .. begin[i + 1] are the ranges of `count` lists that together are `total` elements.
 bool are_ranges(std::span<const std::uint32_t> begin, std::size_t count, std::size_t total) {
   return begin.size() == count + 1 && begin.front() == 0 && std::ranges::is_sorted(begin) && begin.back() == total;
 }
 
-// Sizes and ranges: what the other checks need in order to look at anything.
+// Sizes and ranges come first: the other checks need them in order to look at anything.
 Messages check_arrays(const ProjectedScene& scene) {
   Messages messages;
   const auto require = [&](bool holds, const char* what) {
@@ -77,7 +77,7 @@ void check_edges(const ProjectedScene& scene, Messages& messages) {
   }
 }
 
-// Calls report(key) for every key whose amounts do not add up to zero. O(n log n).
+// Calls report(key) for every key whose amounts do not add up to zero. It takes O(n log n).
 template <class Key, class Report>
 void for_each_imbalance(std::vector<std::pair<Key, std::int64_t>>& amounts, Report report) {
   std::ranges::sort(amounts);

@@ -9,15 +9,15 @@
 namespace sightline::inline geometry {
 namespace {
 
-// A double and a bound on its distance from the exact value. The bounds are inflated by their own roundings: every step
-// below rounds a bound up by at least 4 u, and no bound goes through more than four operations.
+// A double comes with a bound on its distance from the exact value. The bounds are inflated by their own roundings:
+// every step below rounds a bound up by at least 4 u, and no bound goes through more than four operations.
 struct Bounded {
   double value = 0;
   double error = 0;
 };
 
-// row . (v - origin): each term rounds at most four times (difference, product, two sums): (1 + u)^4 - 1 < 5 u. An
-// underflow costs less than 2^-1000, which is added.
+// Returns row . (v - origin). Each term rounds at most four times (difference, product, two sums): (1 + u)^4 - 1 < 5 u.
+// An underflow costs less than 2^-1000, which is added.
 Bounded linear_form_value(const Vector3& row, const Point3& v, const Point3& origin) {
   const Vector3 d = v - origin;
   const double x = row.x * d.x;
@@ -38,7 +38,7 @@ std::optional<Sign> sign(const Bounded& b) {
   return std::nullopt;
 }
 
-// The window edge coordinates of Fang's table 5.1; bounds that the camera does not have are satisfied.
+// Returns the window edge coordinates of Fang's table 5.1; bounds that the camera does not have are satisfied.
 std::array<Bounded, 6> window_edge_coordinates(const Camera& camera, const Bounded& x, const Bounded& y,
                                                const Bounded& w, const Bounded& depth) {
   const Bounded satisfied{1, 0};
@@ -56,8 +56,8 @@ void set_outcode(ProjectedVertex& vertex, std::size_t bound, Sign wec) {
   if (wec <= 0) vertex.on_or_outside |= bit;
 }
 
-// round(numerator / denominator * 2^bits) where the error bound leaves one answer. In the window the scaled quotient is
-// below 2^41, where adding 1/2 rounds by at most 2^-12; 2^-10 covers that and the error of the error.
+// Returns round(numerator / denominator * 2^bits) where the error bound leaves one answer. In the window the scaled
+// quotient is below 2^41, where adding 1/2 rounds by at most 2^-12; 2^-10 covers that and the error of the error.
 std::optional<std::int64_t> rounded(const Bounded& numerator, const Bounded& denominator, int bits) {
   if (!(denominator.value > 2 * denominator.error)) return std::nullopt;
   const double quotient = std::fabs(numerator.value / denominator.value);

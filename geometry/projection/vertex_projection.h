@@ -25,11 +25,11 @@ struct ProjectedVertex {
 
 [[nodiscard]] ProjectedVertex project_vertex(const Point3& vertex, const Camera& camera, int grid_bits);
 
-// The same for a vertex of a mesh; one that cutting made goes through the exact tier.
+// Projects a vertex of a mesh in the same way; one that cutting made goes through the exact tier.
 [[nodiscard]] ProjectedVertex project_vertex(const CutMesh& mesh, VertexId vertex, const Camera& camera, int grid_bits);
 
 namespace projection_tiers {
-// Empty where the error bound does not decide every bound and the rounding.
+// The result is empty where the error bound does not decide every bound and the rounding.
 [[nodiscard]] std::optional<ProjectedVertex> filtered(const Point3& vertex, const Camera& camera, int grid_bits);
 [[nodiscard]] ProjectedVertex exact(const Point3& vertex, const Camera& camera, int grid_bits);
 }  // namespace projection_tiers

@@ -11,7 +11,7 @@ auto as_tuple(const Crossing& c) { return std::tuple(c.a, c.b, c.after); }
 auto as_tuple(const VisibleSegment& s) { return std::tuple(s.start, s.end, s.facet, s.other, s.edge); }
 auto as_tuple(const Thread& t) { return std::tuple(t.top, t.facet, t.segment); }
 
-// Where two lists begin to differ; empty where they do not.
+// Returns where two lists begin to differ; empty where they do not.
 template <class Item>
 std::string difference(const char* what, const std::vector<Item>& a, const std::vector<Item>& b) {
   const auto [x, y] = std::mismatch(a.begin(), a.end(), b.begin(), b.end(),

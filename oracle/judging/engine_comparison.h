@@ -1,4 +1,4 @@
-// Where the fast engine's segments differ from those of the sweep of everything.
+// The fast engine's segments are compared with those of the sweep of everything.
 #pragma once
 
 #include <initializer_list>
@@ -8,13 +8,14 @@
 
 namespace sightline::lattice {
 
-// How much was swept with one band: with several, some facets are known to more than one sweep.
+// The tally says how much was swept with one band: with several, some facets are known to more than one sweep.
 struct EngineTally {
   std::uint64_t points = 0;  // of the sweep of everything
   std::uint64_t swept = 0;
 };
 
-// As the fast engine chooses by itself, and as each of the options says; empty where nothing differs.
+// Compares as the fast engine chooses by itself, and as each of the options says; the result is empty where nothing
+// differs.
 [[nodiscard]] std::string engine_differences(const ProjectedScene& scene, std::initializer_list<FastOptions> all,
                                              EngineTally& tally);
 

@@ -24,7 +24,7 @@ void compare(Complaints& complaints, const std::string& what, const Rational& ou
   if (ours != oracle) complaints.push_back(what + " is " + text(ours) + ", the oracle says " + text(oracle));
 }
 
-// In window units.
+// The length is in window units.
 double length(const ProjectedScene& scene, EdgeId e) {
   const ImagePoint& top = scene.point(scene.edge(e).top);
   const ImagePoint& bottom = scene.point(scene.edge(e).bottom);

@@ -38,7 +38,7 @@ FaceExtent extent_of(const PolygonMesh& mesh, FaceId face) {
 
 using DirectedEdge = std::array<std::size_t, 2>;
 
-// For every vertex the first of those at its position (-0 and 0 are one).
+// Returns, for every vertex, the first of those at its position (-0 and 0 are one).
 std::vector<std::size_t> welded(const std::vector<Point3>& vertices) {
   std::vector<std::size_t> order(vertices.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;

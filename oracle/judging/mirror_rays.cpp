@@ -11,7 +11,7 @@ Vector3 vector_product(const Vector3& a, const Vector3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-// Where the ray meets the triangle, in multiples of the direction; infinite where it does not.
+// Returns where the ray meets the triangle, in multiples of the direction; infinite where it does not.
 double distance_to(const std::array<Point3, 3>& corners, const Point3& origin, const Vector3& direction) {
   constexpr double never = std::numeric_limits<double>::infinity();
   const Vector3 u = corners[1] - corners[0];
@@ -52,7 +52,7 @@ void MirrorRays::add(std::vector<Target>& targets, const PolygonMesh& mesh, std:
   }
 }
 
-// `from`: what the ray starts on; it and what lies in one face with it are not hit.
+// The ray starts on `from`; it and what lies in one face with it are not hit.
 MirrorRays::Hit MirrorRays::first_hit(const std::vector<Target>& targets, const Point3& origin,
                                       const Vector3& direction, const Target* from) {
   Hit nearest{std::numeric_limits<double>::infinity(), nullptr};
@@ -64,7 +64,7 @@ MirrorRays::Hit MirrorRays::first_hit(const std::vector<Target>& targets, const 
   return nearest;
 }
 
-// By the areas of the triangles that the place makes with the sides.
+// The normals are weighed by the areas of the triangles that the place makes with the sides.
 Vector3 MirrorRays::normal_at(const Target& target, const Point3& place) {
   Vector3 sum;
   for (std::size_t i = 0; i < 3; ++i) {

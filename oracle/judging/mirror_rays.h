@@ -3,8 +3,8 @@
 // In:  faces, panels and a pinhole camera. Out: which panel a ray through a place of the window meets after it was
 //      mirrored once, if any; -1: none. With normals (parallel to mesh.faces.corners, of triangles) it is mirrored at
 //      their interpolation, and what does not rise from its face meets nothing.
-// Method: brute force. The ray's first hit on a face, the law of reflection at the face's plane, and of the mirrored ray
-//      the first hit on another face or a panel.
+// Method: brute force. The ray's first hit on a face, the law of reflection at the face's plane, and of the mirrored
+//      ray the first hit on another face or a panel.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@ class MirrorRays {
   MirrorRays(const PolygonMesh& mesh, const std::vector<Panel>& panels, const Camera& camera,
              const std::vector<Vector3>& normals = {});
 
-  // x, y: in the window [-1, 1]^2.
+  // x and y are in the window [-1, 1]^2.
   [[nodiscard]] int panel_at(double x, double y) const;
 
  private:

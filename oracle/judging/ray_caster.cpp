@@ -9,7 +9,7 @@
 namespace sightline::lattice {
 namespace {
 
-// The rays with y in [low, high], as indices.
+// The range has the rays with y in [low, high], as indices.
 struct RayRange {
   std::size_t begin;
   std::size_t end;
@@ -25,7 +25,7 @@ RayRange rays_between(const std::vector<ImagePoint>& rays, std::int64_t low, std
 
 enum class Place2 { inside, outside, border };
 
-// Even-odd, with half-open edges; turn > 0 where the ray lies left of the edge going up.
+// The test is even-odd, with half-open edges; turn > 0 where the ray lies left of the edge going up.
 Place2 place_in(const std::vector<ImagePoint>& ring, const ImagePoint& ray) {
   bool inside = false;
   for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -40,7 +40,8 @@ Place2 place_in(const std::vector<ImagePoint>& ring, const ImagePoint& ray) {
   return inside ? Place2::inside : Place2::outside;
 }
 
-// An end of a visible segment, rounded down, and whether that was a change. Comparisons with whole numbers stay exact.
+// A floor is an end of a visible segment, rounded down, and says whether that was a change. Comparisons with whole
+// numbers stay exact.
 struct Floor {
   std::int64_t y = 0;
   bool above = false;  // the end is strictly above y
@@ -66,7 +67,7 @@ std::vector<Floor> floors(const View& view) {
 
 bool is_above(const Floor& end, std::int64_t y) { return end.y > y || (end.y == y && end.above); }
 
-// Exactly: the point lies on the line through a and b.
+// Returns whether the point lies on the line through a and b, exactly.
 bool on_line(const View& view, PointId point, const ImagePoint& a, const ImagePoint& b) {
   using boost::multiprecision::cpp_int;
   const ExactPoint exact = exact_point(view.scene, view.segments, point);
@@ -76,7 +77,7 @@ bool on_line(const View& view, PointId point, const ImagePoint& a, const ImagePo
   return (b.x - a.x) * cpp_int(y - d * a.y) == (b.y - a.y) * cpp_int(x - d * a.x);
 }
 
-// The ends are on the segment's edge, so that the edge's line is the segment's.
+// The ends have to be on the segment's edge, so that the edge's line is the segment's.
 void require_ends_on_edge(const View& view, const VisibleSegment& s) {
   const SceneEdge& edge = view.scene.edge(s.edge);
   for (const PointId end : {s.start, s.end}) {

@@ -13,7 +13,7 @@
 
 namespace sightline::lattice {
 
-// Sorted by y. The same for every scene of the same grid.
+// The rays are sorted by y, and the same for every scene of the same grid.
 [[nodiscard]] std::vector<ImagePoint> fixed_rays(int grid_bits, std::size_t count);
 
 struct RayHits {
@@ -26,7 +26,7 @@ struct RayHits {
 void sort_by_depth(std::vector<FacetId>& facets, const PolygonMesh& mesh, const ProjectedScene& scene,
                    const ImagePoint& ray);
 
-// Per ray, which is on no edge, the indices of the visible polygons around it.
+// Returns, per ray, which is on no edge, the indices of the visible polygons around it.
 [[nodiscard]] std::vector<std::vector<std::size_t>> polygons_around(const View& view,
                                                                     const std::vector<ImagePoint>& rays);
 

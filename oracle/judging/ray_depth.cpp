@@ -7,7 +7,7 @@
 namespace sightline::lattice {
 namespace {
 
-// A double as an integer times 2^-shift, for a shift that makes it one.
+// Returns a double as an integer times 2^-shift, for a shift that makes it one.
 BigInteger whole(double value, int shift) {
   int exponent = 0;
   const auto mantissa = static_cast<std::int64_t>(std::ldexp(std::frexp(value, &exponent), 53));
@@ -16,7 +16,7 @@ BigInteger whole(double value, int shift) {
   return BigInteger(mantissa) / (BigInteger(1) << static_cast<unsigned>(-up));
 }
 
-// The smallest shift that makes all values whole: trailing zeros of mantissas are not worth looking at.
+// Returns a shift that makes all values whole; trailing zeros of mantissas are not worth looking at.
 int shift_for(std::initializer_list<Vector3> vectors) {
   int shift = 0;
   for (const Vector3& v : vectors) {

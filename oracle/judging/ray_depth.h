@@ -1,4 +1,4 @@
-// The depth of a facet's plane along a ray of the camera, exactly, for cameras and coordinates of any finite doubles.
+// The depth of a facet's plane along a ray of the camera is exact, for cameras and coordinates of any finite doubles.
 #pragma once
 
 #include "geometry/mesh/mesh.h"
@@ -6,7 +6,8 @@
 
 namespace sightline::lattice {
 
-// Nearness numerator / denominator: 1 / W of a pinhole, minus the depth of an orthographic camera. denominator > 0.
+// The nearness is numerator / denominator: 1 / W of a pinhole, minus the depth of an orthographic camera. denominator >
+// 0.
 struct RayDepth {
   BigInteger numerator;
   BigInteger denominator;
@@ -16,7 +17,7 @@ struct RayDepth {
 [[nodiscard]] RayDepth depth_along(const PolygonMesh& mesh, const ProjectedScene& scene, FacetId facet,
                                    const ImagePoint& ray);
 
-// +1 where a is nearer than b, 0 at equal depth.
+// Returns +1 where a is nearer than b, 0 at equal depth.
 [[nodiscard]] Sign nearer(const RayDepth& a, const RayDepth& b);
 
 }  // namespace sightline::lattice

@@ -1,4 +1,4 @@
-// Changes of a scene that change nothing but order, and what must stay.
+// These changes of a scene change nothing but order; what must stay is here, too.
 #pragma once
 
 #include "oracle/judging/judge.h"
@@ -19,10 +19,10 @@ struct Shuffled {
 [[nodiscard]] Mesh mirrored(const PolygonMesh& mesh);
 [[nodiscard]] Camera mirrored(const Camera& camera);
 
-// The camera turned by a quarter about its view direction: what was to the right is up.
+// Returns the camera turned by a quarter about its view direction: what was to the right is up.
 [[nodiscard]] Camera rolled(const Camera& camera);
 
-// What is the same whatever the order.
+// The outcome is the same whatever the order.
 struct Outcome {
   std::vector<Rational> areas;  // visible, per face
   std::size_t segments = 0;
@@ -33,7 +33,7 @@ struct Outcome {
 
 [[nodiscard]] Complaints differences(const Outcome& before, const Outcome& after);
 
-// Bit for bit.
+// Compares bit for bit.
 [[nodiscard]] bool identical(const View& a, const View& b);
 
 }  // namespace sightline::lattice

@@ -61,7 +61,7 @@ Homogeneous reduced(const Homogeneous& p) {
   return divisor == 0 ? p : Homogeneous{p.x / divisor, p.y / divisor, p.w / divisor};
 }
 
-// Distance to one of the four planes of the view volume; >= 0 inside.
+// Returns the distance to one of the four planes of the view volume; >= 0 inside.
 Int128 border(const Homogeneous& p, int which) {
   const Int128 coordinate = which < 2 ? p.x : p.y;
   return which % 2 == 0 ? p.w - coordinate : p.w + coordinate;

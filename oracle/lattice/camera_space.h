@@ -18,7 +18,7 @@
 
 namespace sightline::lattice {
 
-// Throws std::overflow_error instead of being wrong.
+// It throws std::overflow_error instead of being wrong.
 using Wide = boost::multiprecision::checked_int256_t;
 
 constexpr std::int64_t half_window = 512;
@@ -46,21 +46,21 @@ using Ring = std::vector<GridPoint>;
 
 [[nodiscard]] CameraPoint to_camera_space(const Camera& camera, const Point3& v);
 
-// The plane through all corners, which are known to be coplanar; nothing where they are collinear.
+// Returns the plane through all corners, which are known to be coplanar; nothing where they are collinear.
 [[nodiscard]] std::optional<Plane> plane_of(std::span<const CameraPoint> corners);
 
-// > 0 where p lies on one side of the plane, < 0 on the other, 0 in it.
+// Returns > 0 where p lies on one side of the plane, < 0 on the other, 0 in it.
 [[nodiscard]] Wide side(const Plane& plane, const CameraPoint& p);
 
-// +1: the corners run counter-clockwise seen from the eye; -1: clockwise; 0: edge-on.
+// Returns +1 where the corners run counter-clockwise seen from the eye, -1 where clockwise, 0 where edge-on.
 [[nodiscard]] int facing(std::span<const CameraPoint> corners);
 
-// The image of a polygon; nothing where a corner is behind the eye or is not a whole number of oracle units.
+// Returns the image of a polygon; nothing where a corner is behind the eye or is not a whole number of oracle units.
 [[nodiscard]] std::optional<Ring> image_of(std::span<const CameraPoint> corners);
 
-// The image of the part in the view volume (empty: none). The eye is not in the polygon's plane. A concave polygon
-// may come back with pieces joined along the border, where the ring runs to and fro: even-odd is still right.
-// Nothing where a corner is not a whole number of oracle units.
+// Returns the image of the part in the view volume (empty: none). The eye is not in the polygon's plane. A concave
+// polygon may come back with pieces joined along the border, where the ring runs to and fro: even-odd is still right.
+// There is nothing where a corner is not a whole number of oracle units.
 [[nodiscard]] std::optional<Ring> clipped_image_of(std::span<const CameraPoint> corners);
 
 }  // namespace sightline::lattice

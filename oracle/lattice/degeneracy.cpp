@@ -27,7 +27,7 @@ std::int64_t turn(const GridPoint& a, const GridPoint& b, const GridPoint& c) {
 
 bool strictly_inside(const GridPoint& p, const Edge& e) { return turn(e.a, e.b, p) == 0 && e.a < p && p < e.b; }
 
-// Where two edges cross in the interior of both.
+// Returns where two edges cross in the interior of both.
 std::optional<Place> crossing(const Edge& e, const Edge& f) {
   const std::int64_t fa = turn(e.a, e.b, f.a);
   const std::int64_t fb = turn(e.a, e.b, f.b);
@@ -39,7 +39,7 @@ std::optional<Place> crossing(const Edge& e, const Edge& f) {
   return Place{f.a.x * whole + part * (f.b.x - f.a.x), f.a.y * whole + part * (f.b.y - f.a.y), whole};
 }
 
-// The places of all corners, once for each corner in space.
+// Returns the places of all corners, once for each corner in space.
 std::vector<GridPoint> corners_in_space(const std::vector<OracleFace>& faces) {
   struct Corner {
     GridPoint point;

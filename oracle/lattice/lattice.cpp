@@ -10,7 +10,7 @@ Vector3 axis(int which, int sign) {
   return {which == 0 ? 1.0 * sign : 0, which == 1 ? 1.0 * sign : 0, which == 2 ? 1.0 * sign : 0};
 }
 
-// Image units per unit across the view: a point of a pinhole's view at depth w has image x / w.
+// Returns image units per unit across the view: a point of a pinhole's view at depth w has image x / w.
 int spread(const Lattice& lattice, int depth) {
   return lattice.projection == Projection::perspective ? std::max(1, depth < 0 ? -depth : depth) : 1;
 }

@@ -1,4 +1,4 @@
-// The lattice random scenes are made of: camera-space points with small integer coordinates, and cameras that map them
+// Random scenes are made of this lattice: camera-space points with small integer coordinates, and cameras that map them
 // exactly.
 #pragma once
 
@@ -13,7 +13,8 @@ namespace sightline::lattice {
 class Dice {
  public:
   explicit Dice(std::uint64_t seed) : engine_(seed) {}
-  // In [low, high]. Not std::uniform_int_distribution: that differs between standard libraries.
+  // The number is in [low, high]. It does not come from std::uniform_int_distribution, which differs between standard
+  // libraries.
   int between(int low, int high) {
     return low + static_cast<int>(engine_() % static_cast<std::uint64_t>(high - low + 1));
   }
@@ -27,7 +28,7 @@ class Dice {
   std::mt19937_64 engine_;
 };
 
-// (X, Y) across the view, `depth` along it.
+// A point is (X, Y) across the view, and `depth` along it.
 struct LatticePoint {
   int x = 0;
   int y = 0;
@@ -49,21 +50,21 @@ struct Lattice {
 [[nodiscard]] Lattice random_lattice(Dice& dice);
 [[nodiscard]] LatticePoint random_point(const Lattice& lattice, Dice& dice);
 
-// The point at a depth that has this image.
+// Returns the point at a depth that has this image.
 [[nodiscard]] LatticePoint at_image(const Lattice& lattice, int x, int y, int depth);
 
-// The point at a depth with the image that p has; p where that is no whole number.
+// Returns the point at a depth with the image that p has; p where that is no whole number.
 [[nodiscard]] LatticePoint at_depth(const Lattice& lattice, const LatticePoint& p, int depth);
 
-// A point with the same image at another depth.
+// Returns a point with the same image at another depth.
 [[nodiscard]] LatticePoint in_line(const Lattice& lattice, const LatticePoint& p, Dice& dice);
 
-// The middle of p and q where that is a point of the lattice, else p.
+// Returns the middle of p and q where that is a point of the lattice, else p.
 [[nodiscard]] LatticePoint between(const Lattice& lattice, const LatticePoint& p, const LatticePoint& q);
 
 [[nodiscard]] Point3 position(const Lattice& lattice, const LatticePoint& p);
 
-// All points of the lattice whose image is a whole number.
+// Returns all points of the lattice whose image is a whole number.
 [[nodiscard]] std::vector<LatticePoint> all_points(const Lattice& lattice);
 
 }  // namespace sightline::lattice

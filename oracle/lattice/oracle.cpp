@@ -17,7 +17,7 @@ Rational x_of(const Rise& rise, const Fraction& y) {
   return fraction(place.x, place.denominator);
 }
 
-// A run of trapezoids on top of each other between the same rises, all with the same face in front.
+// A tower is a run of trapezoids on top of each other between the same rises, all with the same face in front.
 struct Tower {
   std::size_t left;
   std::size_t right;
@@ -47,7 +47,7 @@ std::size_t front_of(const std::vector<OracleFace>& faces, const std::vector<Ris
   return best;
 }
 
-// The trapezoids of a slab, joined where neighbours show the same face number.
+// Returns the trapezoids of a slab, joined where neighbours show the same face number.
 std::vector<Tower> joined(const std::vector<OracleFace>& faces, std::size_t numbers, const std::vector<Rise>& rises,
                           const Slab& slab) {
   std::vector<Tower> result;
@@ -99,7 +99,7 @@ void add(std::vector<OracleFace>& faces, std::size_t number, const std::vector<C
 
 }  // namespace
 
-// nearness = -(a x + b y + d) / c; image coordinates are in oracle units, hence the factor half_window at d.
+// The nearness is -(a x + b y + d) / c; image coordinates are in oracle units, hence the factor half_window at d.
 int nearer(const Plane& a, const Plane& b, const Place& place) {
   const auto height = [&](const Plane& p) {
     return Wide(Wide(p.a) * Wide(place.x) + Wide(p.b) * Wide(place.y) +

@@ -22,7 +22,7 @@ struct OracleFace {
   Plane plane;
 };
 
-// > 0 where a is nearer than b at the place.
+// Returns > 0 where a is nearer than b at the place.
 [[nodiscard]] int nearer(const Plane& a, const Plane& b, const Place& place);
 
 struct Visibility {
@@ -31,15 +31,16 @@ struct Visibility {
 };
 [[nodiscard]] Visibility visibility(const std::vector<OracleFace>& faces, std::size_t numbers);
 
-// The same in grid units squared for a scene of `grid_bits`.
+// Returns the same in grid units squared for a scene of `grid_bits`.
 [[nodiscard]] Rational in_grid_units(const Rational& area, int grid_bits);
 
-// The oracle's faces of a mesh: planar faces whole, others by facet; faces that do not count (skipped, edge-on,
-// outside, culled) left out.
+// Returns the oracle's faces of a mesh: planar faces whole, others by facet; faces that do not count (skipped, edge-on,
+// outside, culled) are left out.
 [[nodiscard]] std::vector<OracleFace> oracle_faces(const PolygonMesh& mesh, const Camera& camera, Sides sides);
 
-// Points of the image where a corner lies or edges cross, and how many of them are more than one event at once: corners
-// that are apart in space, a corner on an edge, more than two edges that cross in one point. Equal edges count once.
+// These count the points of the image where a corner lies or edges cross, and how many of them are more than one event
+// at once: corners that are apart in space, a corner on an edge, more than two edges that cross in one point. Equal
+// edges count once.
 struct Degeneracy {
   std::size_t points = 0;
   std::size_t degenerate = 0;

@@ -23,7 +23,8 @@ bool one_side(const PlacedFace& a, const Plane& plane) {
   return (signs & 1) == 0 || (signs & 4) == 0;
 }
 
-// The signs of `a nearer than b` in the corners of their overlap: bit 0: farther, bit 1: equal, bit 2: nearer.
+// Returns the signs of `a nearer than b` in the corners of their overlap: bit 0 says farther, bit 1 equal, bit 2
+// nearer.
 int orders_in_overlap(const PlacedFace& a, const PlacedFace& b) {
   const Decomposition decomposition = decompose({a.image, b.image});
   int orders = 0;

@@ -1,4 +1,5 @@
-// How two faces lie to each other, for the generator of scenes: exact, by decomposition of their two images.
+// The generator of scenes asks how two faces lie to each other: the answer is exact, by decomposition of their two
+// images.
 #pragma once
 
 #include <optional>
@@ -8,8 +9,8 @@
 
 namespace sightline::lattice {
 
-// A planar polygon before the camera. Where all corners are in front of the eye, `image` is all of it, else the part in
-// the view volume.
+// This is a planar polygon before the camera. Where all corners are in front of the eye, `image` is all of it, else the
+// part in the view volume.
 struct PlacedFace {
   std::vector<CameraPoint> corners;
   Plane plane;
@@ -26,7 +27,8 @@ enum class Relation {
 
 [[nodiscard]] Relation relation(const PlacedFace& a, const PlacedFace& b);
 
-// Whether each of the two has corners strictly on both sides of the other's plane: without this they cannot cross.
+// Returns whether each of the two has corners strictly on both sides of the other's plane: without this they cannot
+// cross.
 [[nodiscard]] bool straddle(const PlacedFace& a, const PlacedFace& b);
 
 }  // namespace sightline::lattice

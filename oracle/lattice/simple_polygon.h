@@ -1,4 +1,4 @@
-// Whether planar polygons of lattice points are simple, and convex.
+// These tell whether planar polygons of lattice points are simple, and convex.
 #pragma once
 
 #include <vector>
@@ -8,13 +8,13 @@
 
 namespace sightline::lattice {
 
-// The polygon along a coordinate axis that its plane is not parallel to; empty where its corners are collinear.
+// Returns the polygon along a coordinate axis that its plane is not parallel to; empty where its corners are collinear.
 [[nodiscard]] Ring flattened(const std::vector<LatticePoint>& corners);
 
-// No two edges meet except neighbours in their common corner. Straight corners are allowed.
+// In a simple ring no two edges meet except neighbours in their common corner. Straight corners are allowed.
 [[nodiscard]] bool is_simple(const Ring& ring);
 
-// No corner turns against the others.
+// In a convex ring no corner turns against the others.
 [[nodiscard]] bool is_convex(const Ring& ring);
 
 }  // namespace sightline::lattice

@@ -36,7 +36,8 @@ Fraction between(const Fraction& a, const Fraction& b) {
   return {a.numerator * b.denominator + b.numerator * a.denominator, 2 * a.denominator * b.denominator};
 }
 
-// x times the height's denominator on a rise, over the rise's height; `order` compares it for two rises at one y.
+// x is that of a rise times the height's denominator, over the rise's height; `order` compares it for two rises at
+// one y.
 struct Standing {
   Int128 x;
   Int128 rise_height;

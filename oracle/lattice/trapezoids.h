@@ -15,7 +15,7 @@
 
 namespace sightline::lattice {
 
-// A number, denominator > 0.
+// The denominator is > 0.
 struct Fraction {
   Int128 numerator = 0;
   Int128 denominator = 1;
@@ -23,14 +23,14 @@ struct Fraction {
 [[nodiscard]] bool operator<(const Fraction& a, const Fraction& b);
 [[nodiscard]] bool operator==(const Fraction& a, const Fraction& b);
 
-// A place in the image: (x / denominator, y / denominator), denominator > 0.
+// A place in the image is (x / denominator, y / denominator), denominator > 0.
 struct Place {
   Int128 x = 0;
   Int128 y = 0;
   Int128 denominator = 1;
 };
 
-// A piece of a ring that is not horizontal.
+// A rise is a piece of a ring that is not horizontal.
 struct Rise {
   GridPoint bottom;
   GridPoint top;
@@ -38,7 +38,8 @@ struct Rise {
 };
 
 [[nodiscard]] Place place_on(const Rise& rise, const Fraction& y);
-// Of two places in the middle of a slab; their rises have |coordinate| <= half_window (114 bits then).
+// Returns the middle of two places in the middle of a slab; their rises have |coordinate| <= half_window (114 bits
+// then).
 [[nodiscard]] Place middle(const Place& a, const Place& b);
 
 struct Trapezoid {
@@ -60,7 +61,7 @@ struct Decomposition {
 
 [[nodiscard]] Decomposition decompose(const std::vector<Ring>& rings);
 
-// The y of the point where two rises cross or touch, unless they are parallel.
+// Returns the y of the point where two rises cross or touch, unless they are parallel.
 [[nodiscard]] std::optional<Fraction> crossing_height(const Rise& a, const Rise& b);
 
 }  // namespace sightline::lattice

@@ -10,7 +10,7 @@ namespace {
 using Wholes = std::set<WholeId>;
 using InputEdge = std::array<VertexId, 2>;
 
-// What meets in a point that cutting made, and along an edge that it made.
+// These are the wholes that meet in a point that cutting made, and along an edge that it made.
 struct Meetings {
   std::map<VertexId, Wholes> at_point;
   std::map<VertexId, std::map<InputEdge, Wholes>> edges_at_point;

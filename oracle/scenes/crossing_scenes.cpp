@@ -8,7 +8,7 @@
 namespace sightline::lattice {
 namespace {
 
-// A near and a far depth, and a place in the image where what runs from one to the other is halfway.
+// A centre has a near and a far depth, and a place in the image where what runs from one to the other is halfway.
 struct Centre {
   int x = 0;
   int y = 0;
@@ -28,7 +28,7 @@ Centre random_centre(const Lattice& lattice, Dice& dice) {
   return {centre.x, centre.y, near, far};
 }
 
-// A parallelogram or triangle around the centre, near on one side and far on the other.
+// Adds a parallelogram or triangle around the centre, near on one side and far on the other.
 void add_through(SceneBuilder& scene, Dice& dice, const Centre& centre) {
   const int reach = std::max(1, scene.lattice().reach);
   const auto step = [&] { return dice.between(-reach, reach); };
@@ -43,7 +43,8 @@ void add_through(SceneBuilder& scene, Dice& dice, const Centre& centre) {
   scene.add({vertices(scene, corners)});
 }
 
-// A face that is there with what is near far, and what is far near: both have the same edges in the image.
+// Adds a face that is there a second time, with what is near far and what is far near: both have the same edges in the
+// image.
 void add_exchanged(SceneBuilder& scene, Dice& dice) {
   if (scene.faces().empty()) return;
   std::vector<LatticePoint> corners;

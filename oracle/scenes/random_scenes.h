@@ -43,7 +43,7 @@ struct RandomScene {
 
 [[nodiscard]] Mesh mesh_of(const RandomScene& scene);
 
-// The scene as OBJ text with its camera, seed and sides as comments.
+// Returns the scene as OBJ text with its camera, seed and sides as comments.
 [[nodiscard]] std::string to_text(const RandomScene& scene);
 
 }  // namespace sightline::lattice

@@ -1,4 +1,4 @@
-// Grows a random scene face by face; takes only what keeps the promises of random_scenes.h.
+// The builder grows a random scene face by face; it takes only what keeps the promises of random_scenes.h.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ namespace sightline::lattice {
 
 using Corners = std::vector<std::uint32_t>;
 
-// Whether faces may pass through each other.
+// This says whether faces may pass through each other.
 enum class Crossings { none, allowed };
 
 class SceneBuilder {
@@ -26,7 +26,7 @@ class SceneBuilder {
   [[nodiscard]] const std::vector<Corners>& faces() const { return faces_; }
   [[nodiscard]] const SceneNotes& notes() const { return notes_; }
 
-  // A vertex at the point: mostly the one that is there already, sometimes a second one.
+  // Returns a vertex at the point: mostly the one that is there already, sometimes a second one.
   std::uint32_t vertex(const LatticePoint& p);
 
   // Adds all of the faces or, where one of them breaks a promise, none. A face is planar or has four corners.
@@ -53,7 +53,7 @@ class SceneBuilder {
   SceneNotes notes_;
 };
 
-// The scene as grown, without the faces beyond so many and without vertices that no face uses, but for one.
+// Returns the scene as grown, without the faces beyond so many and without vertices that no face uses, but for one.
 [[nodiscard]] RandomScene scene_of(const SceneBuilder& builder, std::uint64_t seed, Sides sides,
                                    std::size_t most_faces);
 

@@ -6,7 +6,7 @@
 namespace sightline::lattice {
 namespace {
 
-// A corner that is there, one before or behind it, the middle of two, or a new one.
+// Returns a corner that is there, one before or behind it, the middle of two, or a new one.
 LatticePoint old_or_new_point(const SceneBuilder& scene, Dice& dice) {
   if (scene.points().empty()) return random_point(scene.lattice(), dice);
   const LatticePoint old = dice.any_of(scene.points());
@@ -92,7 +92,7 @@ void add_strip(SceneBuilder& scene, Dice& dice) {
   }
 }
 
-// Outside seen counter-clockwise: camera space is left-handed, so a negative volume is the usual one.
+// Faces are counter-clockwise seen from outside: camera space is left-handed, so a negative volume is the usual one.
 void add_tetrahedron(SceneBuilder& scene, Dice& dice) {
   std::vector<LatticePoint> p = some_points(scene, dice, 4);
   const std::int64_t v = volume(p[0], p[1], p[2], p[3]);

@@ -9,7 +9,7 @@
 namespace sightline::oracle::image {
 namespace {
 
-// A double other than zero as an odd whole number times a power of two.
+// A double other than zero is an odd whole number times a power of two.
 struct Binary {
   std::int64_t odd;
   int exponent;
@@ -22,7 +22,7 @@ Binary binary(double value) {
   return {mantissa >> zeros, exponent - 53 + zeros};
 }
 
-// The exponent of the largest power of two that all numbers are multiples of; 0 where all are zero.
+// Returns the exponent of the largest power of two that all numbers are multiples of; 0 where all are zero.
 int common_unit(const std::vector<Vector3>& vectors) {
   std::optional<int> unit;
   for (const Vector3& v : vectors) {

@@ -7,18 +7,18 @@
 namespace sightline::oracle::image {
 namespace {
 
-// a x + b y + c = 0
+// Returns the x at this y on the line a x + b y + c = 0.
 Fraction x_at(const Line& line, const Fraction& y) {
   return fraction(-(line.b * y.top + line.c * y.bottom), line.a * y.bottom);
 }
 
-// A rise where it passes through a slab.
+// This is a rise where it passes through a slab.
 struct Standing {
   Fraction x;
   std::size_t rise = 0;
 };
 
-// Which slabs a rise passes through: [first, end).
+// The span says which slabs a rise passes through: [first, end).
 struct Span {
   std::size_t first = 0;
   std::size_t end = 0;
@@ -48,8 +48,8 @@ class Decomposition {
   }
 
  private:
-  // Per rise, whether in this slab what counts ends there (+1), begins there (-1), or neither. Of rises that coincide it
-  // is the first.
+  // Returns, per rise, whether in this slab what counts ends there (+1), begins there (-1), or neither. Of rises that
+  // coincide it is the first.
   [[nodiscard]] std::vector<int> border_in(std::size_t slab) {
     std::vector<int> border(rises_.size());
     const std::vector<Standing> standing = standing_in(slab);
@@ -68,7 +68,7 @@ class Decomposition {
     return border;
   }
 
-  // Left to right; those on one line together.
+  // The rises stand left to right; those on one line are together.
   [[nodiscard]] std::vector<Standing> standing_in(std::size_t slab) const {
     const Fraction y = between(heights_[slab], heights_[slab + 1]);
     std::vector<Standing> result;
@@ -82,12 +82,12 @@ class Decomposition {
     return result;
   }
 
-  // Of x dy on the line from y = 0: x = -(b y + c) / a.
+  // Returns the integral of x dy on the line from y = 0: x = -(b y + c) / a.
   [[nodiscard]] static Rational integral(const Line& line, const Fraction& y) {
     return {-y.top * (line.b * y.top + 2 * line.c * y.bottom), 2 * line.a * y.bottom * y.bottom};
   }
 
-  // Neighbours first, so that few sums have long denominators.
+  // Neighbours are added first, so that few sums have long denominators.
   [[nodiscard]] static Rational sum(std::vector<Rational> terms) {
     for (std::size_t n = terms.size(); n > 1; n = (n + 1) / 2) {
       for (std::size_t i = 0; i < n / 2; ++i) terms[i] = terms[2 * i] + terms[2 * i + 1];

@@ -5,7 +5,7 @@
 namespace sightline::oracle::image {
 namespace {
 
-// top / bottom rounded down; cpp_int rounds towards zero.
+// The quotient is top / bottom rounded down; cpp_int rounds towards zero.
 void floor_quotient(const Integer& top, const Integer& bottom, Integer& quotient) {
   Integer rest;
   divide_qr(top, bottom, quotient, rest);
@@ -36,7 +36,7 @@ bool operator<(const Fraction& a, const Fraction& b) {
 
 bool operator==(const Fraction& a, const Fraction& b) { return a.key == b.key && a.top * b.bottom == b.top * a.bottom; }
 
-// Where the keys leave room, a number of key_places: key + 1 is beyond a, and what is below b's key is below b.
+// Where the keys leave room, this is a number of key_places: key + 1 is beyond a, and what is below b's key is below b.
 Fraction between(const Fraction& a, const Fraction& b) {
   if (b.key - a.key < 2) return fraction(a.top * b.bottom + b.top * a.bottom, 2 * a.bottom * b.bottom);
   const Key middle = a.key + (b.key - a.key) / 2;

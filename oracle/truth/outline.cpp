@@ -3,7 +3,7 @@
 namespace sightline::oracle::image {
 namespace {
 
-// The line in the direction from p to q, which both lie on it: p x q is a multiple of it.
+// Returns the line in the direction from p to q, which both lie on it: p x q is a multiple of it.
 Line directed(const Line& line, const Point& p, const Point& q) {
   Integer multiple = line.a * (p.y * q.w - p.w * q.y);
   if (multiple == 0) multiple = line.b * (p.w * q.x - p.x * q.w);
@@ -12,7 +12,7 @@ Line directed(const Line& line, const Point& p, const Point& q) {
   return multiple > 0 ? line : opposite(line);
 }
 
-// Where a side from p to q passes to the outer side: (p x q) x form = q (form . p) - p (form . q), a positive sum.
+// A side from p to q passes to the outer side at (p x q) x form = q (form . p) - p (form . q), a positive sum.
 Point way_out(const Side& side, const Line& form) { return meeting_point(side.line, form); }
 Point way_in(const Side& side, const Line& form) { return meeting_point(form, side.line); }
 

@@ -8,7 +8,7 @@ namespace {
 
 std::optional<Rise> rise_of(const Side& side, const Point& end, std::size_t shape) {
   if (side.line.a == 0) return std::nullopt;
-  // Left of a line that rises is where a is negative.
+  // The inner side is on the left, so a side runs up where a is negative.
   const bool up = side.line.a < 0;
   const Point& bottom = up ? side.start : end;
   const Point& top = up ? end : side.start;
@@ -41,7 +41,7 @@ struct Box {
   Key right = 0;
 };
 
-// Of the rises of shape 0; there is one.
+// Returns the box of the rises of shape 0; there is one.
 Box box_of(const std::vector<Rise>& rises) {
   Box box{rises[0].bottom, rises[0].top, rises[0].left, rises[0].right};
   for (const Rise& rise : rises) {

@@ -22,11 +22,11 @@ struct Rise {
   int winding = 0;
 };
 
-// Those that reach the frame's range of y and are not wholly to the right of it.
+// Returns the rises of the shapes that reach the frame's range of y and are not wholly to the right of it.
 [[nodiscard]] std::vector<Rise> rises_of(const std::vector<Shape>& shapes);
 
-// In ascending order, once each: the y of all ends and crossings of rises in the frame's box, its own ends included.
-// Some of these may be the heights of no end and no crossing.
+// Returns, in ascending order and once each, the y of all ends and crossings of rises in the frame's box, its own ends
+// included. Some of these may be the heights of no end and no crossing.
 [[nodiscard]] std::vector<Fraction> heights_of(const std::vector<Rise>& rises);
 
 }  // namespace sightline::oracle::image

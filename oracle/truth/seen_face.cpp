@@ -12,7 +12,7 @@ namespace {
 using Rational = boost::multiprecision::cpp_rational;
 using Triple = std::array<Integer, 3>;
 
-// Twice the area of a triangle's projection along one of the four axes, with a sign.
+// Returns twice the area of a triangle's projection along one of the four axes, with a sign.
 Integer determinant(const Triple& p, const Triple& q, const Triple& r) {
   return p[0] * (q[1] * r[2] - q[2] * r[1]) + p[1] * (q[2] * r[0] - q[0] * r[2]) + p[2] * (q[0] * r[1] - q[1] * r[0]);
 }
@@ -42,8 +42,8 @@ Plane reduced(const Plane& plane) {
   return {plane.a / divisor, plane.b / divisor, plane.n / divisor, plane.d / divisor};
 }
 
-// Where the plane is farther than a distance. Pinhole: W >= distance * N; orthographic: -N >= distance * W; N is
-// -(a X + b Y + d W) / n.
+// Returns where the plane is farther than a distance. For a pinhole that is W >= distance * N, for an orthographic
+// camera -N >= distance * W; N is -(a X + b Y + d W) / n.
 Line where_beyond(const Plane& plane, double distance, bool perspective) {
   const Rational exact(distance);
   const Integer top = numerator(exact);

@@ -14,7 +14,7 @@
 
 namespace sightline::oracle::image {
 
-// a x + b y + n * nearness + d = 0, with n > 0.
+// The plane is a x + b y + n * nearness + d = 0, with n > 0.
 struct Plane {
   Integer a;
   Integer b;
@@ -30,7 +30,7 @@ struct SeenFace {
 
 [[nodiscard]] std::vector<SeenFace> seen_faces(const PolygonMesh& mesh, const Camera& camera, Sides sides);
 
-// The line of equal depth, p being nearer on its inner side; zero where they are one plane.
+// Returns the line of equal depth, p being nearer on its inner side; zero where they are one plane.
 [[nodiscard]] Line where_nearer(const Plane& p, const Plane& q);
 
 }  // namespace sightline::oracle::image

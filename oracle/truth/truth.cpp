@@ -15,14 +15,14 @@ using image::SeenFace;
 using image::Shape;
 using image::where_nearer;
 
-// Where `other` hides the face of `faces` with this index.
+// Returns where `other` hides the face of `faces` with this index.
 Outline hiding_part(const std::vector<SeenFace>& faces, std::size_t other, std::size_t hidden) {
   const Line nearer = where_nearer(faces[other].plane, faces[hidden].plane);
   if (nearer == Line{}) return other < hidden ? faces[other].outline : Outline{};
   return cut(faces[other].outline, nearer);
 }
 
-// The face first, then a shape for each other face that hides some place.
+// The face comes first, then a shape for each other face that hides some place.
 std::vector<Shape> face_and_hiders(const std::vector<SeenFace>& faces, std::size_t face) {
   std::vector<Shape> shapes{{faces[face].outline}};
   for (std::size_t other = 0; other < faces.size(); ++other) {
@@ -38,7 +38,7 @@ std::vector<Shape> window_and_faces(const std::vector<SeenFace>& faces) {
   return shapes;
 }
 
-// Whether nothing of the shapes [first, end) is there.
+// Returns whether nothing of the shapes [first, end) is there.
 bool none(const std::vector<int>& windings, std::size_t first, std::size_t end) {
   return std::all_of(windings.begin() + static_cast<std::ptrdiff_t>(first),
                      windings.begin() + static_cast<std::ptrdiff_t>(end), [](int winding) { return winding <= 0; });
@@ -58,7 +58,7 @@ image::Point point_of(const RationalPoint& p) {
   return {numerator(p.x) * (w / denominator(p.x)), numerator(p.y) * (w / denominator(p.y)), w};
 }
 
-// What is claimed for each face; for most it may be nothing.
+// Returns what is claimed for each face; for most it may be nothing.
 std::vector<Shape> claimed_shapes(const std::vector<Claim>& claims, std::size_t face_count) {
   std::vector<Shape> shapes(face_count);
   for (const Claim& claim : claims) {
@@ -71,8 +71,8 @@ std::vector<Shape> claimed_shapes(const std::vector<Claim>& claims, std::size_t 
   return shapes;
 }
 
-// Of the places that only the first shape covers, those where of all claims only the one with this index is there, or
-// none where it is the index of no claim.
+// Returns the area of those places that only the first shape covers where, of all claims, only the one with this index
+// is there, or none where it is the index of no claim.
 Rational rightly_claimed(std::vector<Shape> shapes, const std::vector<Shape>& claimed, std::size_t right) {
   const std::size_t first_claim = shapes.size();
   shapes.insert(shapes.end(), claimed.begin(), claimed.end());

@@ -36,15 +36,15 @@ struct Truth {
 
 [[nodiscard]] Truth true_visibility(const PolygonMesh& mesh, const Camera& camera, Sides sides);
 
-// The claim that a face is visible where the rings' winding number is positive: outer rings run counter-clockwise,
+// A claim says that a face is visible where the rings' winding number is positive: outer rings run counter-clockwise,
 // holes clockwise. All rings of a face count together, whether they come in one claim or in several.
 struct Claim {
   FaceId face;
   std::vector<std::vector<RationalPoint>> rings;
 };
 
-// mislabelled_area: of the part of the window where the claims are not right: not exactly those for the one face that
-// is visible there, or, where nothing is, not none.
+// mislabelled_area is that of the part of the window where the claims are not right: not exactly those for the one face
+// that is visible there, or, where nothing is, not none.
 struct Comparison {
   Truth truth;
   Rational mislabelled_area;

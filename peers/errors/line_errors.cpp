@@ -17,7 +17,7 @@ double length_of(const VisibleLines& lines) {
   return length;
 }
 
-// Where a point lies by a line: along it from its start, and beside it.
+// A place says where a point lies by a line: along it from its start, and beside it.
 struct Place {
   double along = 0;
   double beside = 0;
@@ -31,7 +31,7 @@ Place place_of(const Point2& p, const VisibleLine& line, double length) {
 
 using Interval = std::array<double, 2>;
 
-// Of `other` on the line; empty where they lie on different lines.
+// Returns the interval of `other` on the line; it is empty where they lie on different lines.
 Interval common_interval(const VisibleLine& line, const VisibleLine& other, double length) {
   const Place from = place_of(other.from, line, length);
   const Place to = place_of(other.to, line, length);
@@ -56,7 +56,7 @@ VisibleParts as_parts(const VisibleLines& lines) {
   return parts;
 }
 
-// The length of those parts of the lines that the others cover.
+// Returns the length of those parts of the lines that the others cover.
 double covered_length(const VisibleLines& lines, const VisibleLines& others) {
   RingGrid grid(as_parts(others));
   double covered = 0;

@@ -2,8 +2,8 @@
 //
 // In:  lines in the window's coordinates, each point of a line once.
 // Out: shares of the length of the visible lines: of what is missing, and of what is drawn and is not visible.
-// Method: what two lines have in common is an interval where they lie on one line, to within `same_line` of the window: this
-//      measures results that were rounded, it decides nothing of them.
+// Method: what two lines have in common is an interval where they lie on one line, to within `same_line` of the window:
+//      this measures results that were rounded, it decides nothing of them.
 // Complexity: O(lines + pairs of them whose boxes share a cell of a grid).
 #pragma once
 

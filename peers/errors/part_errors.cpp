@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "peers/scene/ring_area.h"
+#include "peers/scene/convex_ring.h"
 #include "peers/scene/ring_grid.h"
 
 namespace sightline::peers {
@@ -12,7 +12,7 @@ namespace {
 
 using Ring = std::vector<Point2>;
 
-// Twice the area of a, b, p.
+// Returns twice the area of a, b, p.
 double side(const Point2& a, const Point2& b, const Point2& p) {
   return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
 }
@@ -31,7 +31,7 @@ void clip_to_left(const Ring& ring, const Point2& a, const Point2& b, Ring& clip
   }
 }
 
-// triangle: counter-clockwise.
+// The triangle is counter-clockwise.
 double clipped_area(const Ring& ring, const std::array<Point2, 3>& triangle) {
   Ring clipped = ring;
   Ring rest;
@@ -48,7 +48,7 @@ FaceAreas areas_of(const VisibleParts& parts) {
   return areas;
 }
 
-// What the seen parts have in common with the exact ones.
+// These are the areas that the seen parts have in common with the exact ones.
 struct CommonAreas {
   double of_same_face = 0;
   double of_any_face = 0;

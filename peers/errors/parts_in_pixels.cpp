@@ -43,7 +43,7 @@ ItemBuffer in_pixels(const VisibleParts& parts, int resolution) {
   return buffer;
 }
 
-// As labels, nothing among them, the two cover each pixel once, so what one label has too much another has too little:
+// With nothing as a label, too, the two cover each pixel once, so what one label has too much another has too little:
 // half the sum of all differences has it.
 std::vector<float> difference_in_pixels(const VisibleParts& seen, const VisibleParts& exact, int resolution) {
   std::vector<double> differences(pixel_count(resolution), 0);

@@ -12,7 +12,7 @@ namespace sightline::peers {
 // Each pixel shows the face that has most of it, or none where no face has half of it.
 [[nodiscard]] ItemBuffer in_pixels(const VisibleParts& parts, int resolution);
 
-// Per pixel, row by row, the part that the two have differently.
+// Returns, per pixel, row by row, the part that the two have differently.
 [[nodiscard]] std::vector<float> difference_in_pixels(const VisibleParts& seen, const VisibleParts& exact,
                                                       int resolution);
 

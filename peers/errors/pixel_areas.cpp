@@ -6,7 +6,7 @@
 namespace sightline::peers {
 namespace {
 
-// The point of the line from a to b at x, or at y; exactly x or y there.
+// Returns the point of the line from a to b at x, or at y; it is exactly at x or y.
 Point2 at_x(const Point2& a, const Point2& b, double x) { return {x, a.y + (b.y - a.y) * ((x - a.x) / (b.x - a.x))}; }
 Point2 at_y(const Point2& a, const Point2& b, double y) { return {a.x + (b.x - a.x) * ((y - a.y) / (b.y - a.y)), y}; }
 
@@ -49,7 +49,7 @@ PixelAreas::PixelAreas(int resolution, std::span<const VisiblePart> parts) : res
   }
 }
 
-// Columns from the left, rows from the top, in units of a pixel.
+// Columns count from the left, rows from the top, in units of a pixel.
 Point2 PixelAreas::in_pixels(const Point2& p) const {
   return {(p.x + 1) * (resolution_ / 2.0), (1 - p.y) * (resolution_ / 2.0)};
 }

@@ -33,7 +33,7 @@ class PixelAreas {
   }
 
  private:
-  // What the sides that run through a pixel add: to itself, and to each pixel to the right.
+  // The sides that run through a pixel add these: to itself, and to each pixel to the right.
   struct Pixel {
     double trapezoids = 0;
     double height = 0;

@@ -3,7 +3,7 @@
 namespace sightline::peers {
 namespace {
 
-// Positive where the place is left of the edge as it goes.
+// Returns a positive sign where the place is left of the edge as it goes.
 Sign side_of(const Corner& from, const Corner& to, const Point2& place) {
   return orient2d({from.x, from.y}, {to.x, to.y}, place);
 }

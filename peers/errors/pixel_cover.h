@@ -2,13 +2,13 @@
 //
 // In:  a flat polygon's corners; the item buffer, for where its pixels' centres are.
 // Out: whether a place is covered, or the columns of a row that are.
-// Holds: a place is covered if it is not left of an edge that goes down at its height, and left of those that go up;
-//      an edge has its lower end's height and not its upper end's. So a centre on an edge counts as if it were shifted to
+// Holds: a place is covered if it is not left of an edge that goes down at its height, and left of those that go up; an
+//      edge has its lower end's height and not its upper end's. So a centre on an edge counts as if it were shifted to
 //      the right, and less far up, by less than any number: of polygons that share an edge one, and only one, has the
-//      centres on it, and corners need no rule of their own. The orientations are exact (geometry/predicates.h), for the
-//      centres as doubles have them. Only edges at the place's height are asked: the image's grid has bent outlines by
-//      less than its spacing, and the line through a very short edge may lead anywhere. Polygons that the grid has
-//      flattened or turned over cover nothing.
+//      centres on it, and corners need no rule of their own. The orientations are exact
+//      (geometry/numbers/predicates.h), for the centres as doubles have them. Only edges at the place's height are
+//      asked: the image's grid has bent outlines by less than its spacing, and the line through a very short edge may
+//      lead anywhere. Polygons that the grid has flattened or turned over cover nothing.
 // Complexity: covers() O(k) for k corners, columns_covered() O(k + log resolution).
 // Errors: none.
 // Source: slides 001 ("for each pixel in the projection of A") and 003 (point and polygon); both leave open who has the
@@ -22,7 +22,7 @@
 
 namespace sightline::peers {
 
-// Columns or rows: begin, ..., end - 1.
+// A range of columns or rows is begin, ..., end - 1.
 struct PixelRange {
   int begin = 0;
   int end = 0;
@@ -32,7 +32,8 @@ struct PixelRange {
 
 [[nodiscard]] bool covers(const std::vector<Corner>& corners, const Point2& place);
 
-// Of the range's pixels the first that is not before; those that are before come first. The range's end if all are.
+// Returns the first of the range's pixels that is not before; those that are before come first. It is the range's end
+// if all are.
 template <class IsBefore>
 [[nodiscard]] int first_not_before(PixelRange range, IsBefore is_before) {
   while (!range.empty()) {
@@ -46,13 +47,13 @@ template <class IsBefore>
   return range.begin;
 }
 
-// The first column whose centre is not left of x.
+// Returns the first column whose centre is not left of x.
 [[nodiscard]] int first_column_from(const ItemBuffer& buffer, double x);
 
-// The rows whose centres are at `bottom` or above it, and below `top`.
+// Returns the rows whose centres are at `bottom` or above it, and below `top`.
 [[nodiscard]] PixelRange rows_between(const ItemBuffer& buffer, double bottom, double top);
 
-// The columns of the row that the polygon covers, out of `columns`; the row is one of rows_between its extent.
+// Returns the columns of the row that the polygon covers, out of `columns`; the row is one of rows_between its extent.
 [[nodiscard]] PixelRange columns_covered(const ItemBuffer& buffer, const std::vector<Corner>& corners, int row,
                                          PixelRange columns);
 

@@ -7,7 +7,7 @@
 namespace sightline::peers {
 namespace {
 
-// Of each pixel what is right: the area of the face that it shows, or, where it shows none, what no face has.
+// Returns, of each pixel, what is right: the area of the face that it shows, or, where it shows none, what no face has.
 std::vector<double> right_parts(const ItemBuffer& seen, const VisibleParts& exact) {
   std::vector<double> of_face(pixel_count(seen.resolution()), 0);
   std::vector<double> covered(pixel_count(seen.resolution()), 0);

@@ -1,4 +1,4 @@
-// The errors of an item buffer, and where they are.
+// This measures the errors of an item buffer, and says where they are.
 #pragma once
 
 #include <vector>

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <optional>
 
-#include "peers/scene/shifted_side.h"
-
 namespace sightline::peers {
 namespace {
 
@@ -23,12 +21,12 @@ bool share_vertex(const SceneLine& a, const SceneLine& b) {
   return same(a.from, b.from) || same(a.from, b.to) || same(a.to, b.from) || same(a.to, b.to);
 }
 
-// Twice the area of a, b, p.
+// Returns twice the area of a, b, p.
 double height(const LineEnd& a, const LineEnd& b, const LineEnd& p) {
   return (b.place.x - a.place.x) * (p.place.y - a.place.y) - (b.place.y - a.place.y) * (p.place.x - a.place.x);
 }
 
-// Where the line meets the edge's line, which its ends are on different sides of.
+// Returns where the line meets the edge's line, which its ends are on different sides of.
 double parameter(const SceneLine& line, const SceneLine& edge) {
   const double from = height(edge.from, edge.to, line.from);
   const double to = height(edge.from, edge.to, line.to);

@@ -9,7 +9,7 @@
 namespace sightline::peers {
 namespace {
 
-// The lines at a vertex, the vertices in order.
+// These are the lines at each vertex, the vertices in order.
 class LinesAtVertices {
  public:
   explicit LinesAtVertices(const std::vector<SceneLine>& lines) {
@@ -42,7 +42,7 @@ int total_change(const std::vector<ActiveCrossing>& crossings) {
   return total;
 }
 
-// The middle of the longest piece between crossings.
+// Returns the middle of the longest piece between crossings.
 double seed_of(const std::vector<ActiveCrossing>& crossings) {
   double begin = 0;
   double seed = 0.5;
@@ -74,7 +74,7 @@ class Propagation {
   }
 
  private:
-  // A vertex, and how many polygons that do not have it obscure it.
+  // This is a vertex, with how many polygons that do not have it obscure it.
   struct Reached {
     VertexId vertex;
     int Q_v = 0;
@@ -105,7 +105,7 @@ class Propagation {
     });
   }
 
-  // Along the line, which begins with Q_v.
+  // Goes along the line, which begins with Q_v.
   void follow(std::size_t line, int Q_v, const std::vector<ActiveCrossing>& crossings) {
     is_known_[line] = true;
     result_.counts.intersections += crossings.size();

@@ -18,7 +18,7 @@
 // Departures: the boundary edges of open meshes are active, too, and back-facing polygons obscure as front-facing
 // ones do, since either is the surface here; so a silhouette edge changes Q_v by 2. The seed is in the middle of the
 // longest piece between two intersections. Lines that fall on others in the image are thought moved aside
-// (shifted_side.h).
+// (scene_lines.h).
 // Source: slides 004, "Quantitative Invisibility"; Appel 1967.
 #pragma once
 
@@ -32,7 +32,7 @@ namespace sightline::peers {
 
 [[nodiscard]] Peer appel();
 
-// A piece of a line between intersections with active edges.
+// A piece of a line lies between intersections with active edges.
 struct LinePiece {
   std::size_t line = 0;
   double from = 0;  // of the line, 0 to 1

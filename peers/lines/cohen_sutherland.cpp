@@ -13,7 +13,7 @@ Point2 at_place_across(const Point2& c, const Point2& d, double x) {
   return {x, c.y + (d.y - c.y) * (x - c.x) / (d.x - c.x)};
 }
 
-// The end c, which is outside, moved along the line to the first of the window's lines that it is beyond.
+// Returns the end c, which is outside, moved along the line to the first of the window's lines that it is beyond.
 Point2 cut(const Point2& c, const Point2& d, Outcode code, const Window& window) {
   if ((code & above_bit) != 0) return at_height(c, d, window.y_max);
   if ((code & below_bit) != 0) return at_height(c, d, window.y_min);

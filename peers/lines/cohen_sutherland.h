@@ -18,7 +18,7 @@
 
 namespace sightline::peers {
 
-// Bits 3210: above, below, right of, left of the window.
+// Bits 3210 say above, below, right of, left of the window.
 using Outcode = std::uint8_t;
 constexpr Outcode above_bit = 0b1000;
 constexpr Outcode below_bit = 0b0100;

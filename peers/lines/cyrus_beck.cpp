@@ -16,13 +16,13 @@ Point2 at(const Line& line, double t) {
   return {line.from.x + t * (line.to.x - line.from.x), line.from.y + t * (line.to.y - line.from.y)};
 }
 
-// The slides' two sets of crossings.
+// These are the slides' two sets of crossings.
 struct Crossings {
   std::vector<double> PE{0};
   std::vector<double> PL{1};
   bool is_outside = false;  // of an edge that the line is parallel to
 
-  // height = N . (P0 - P_E): how far P0 is outside the edge; rise = N . D.
+  // height = N . (P0 - P_E) is how far P0 is outside the edge, and rise = N . D.
   void add(double height, double rise) {
     if (rise < 0) {
       PE.push_back(height / -rise);
@@ -41,7 +41,7 @@ std::optional<ClippedLine> between(const Line& line, const Crossings& crossings)
   return ClippedLine{tE, tL, {at(line, tE), at(line, tL)}};
 }
 
-// To the right of the edge: outwards, since the polygon is counter-clockwise.
+// The normal points to the right of the edge: that is outwards, since the polygon is counter-clockwise.
 Point2 outward_normal(const Point2& from, const Point2& to) {
   if (from == to) throw std::invalid_argument("cyrus_beck: an edge of the polygon has no length");
   return {to.y - from.y, from.x - to.x};

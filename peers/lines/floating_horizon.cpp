@@ -10,7 +10,7 @@
 namespace sightline::peers {
 namespace {
 
-// The window's columns, from left to right.
+// These are the window's columns, from left to right.
 class Columns {
  public:
   explicit Columns(int resolution) : count_(resolution) {}
@@ -23,7 +23,7 @@ class Columns {
     return static_cast<int>(std::clamp(column, 0.0, count_ - 1.0));
   }
 
-  // visit(column, y): where the line from a to b meets the columns' centres.
+  // Calls visit(column, y) where the line from a to b meets the columns' centres.
   template <class Visit>
   void for_each_on(const Point2& a, const Point2& b, Visit visit) const {
     const auto [least, most] = std::minmax(a.x, b.x);
@@ -97,7 +97,7 @@ class Drawing {
     for (std::size_t p = 0; p + 1 < polyline.size(); ++p) draw_seen(polyline[p], polyline[p + 1], is_seen);
   }
 
-  // A part for each run of columns in which the polyline is seen.
+  // Draws a part for each run of columns in which the polyline is seen.
   void draw_seen(const Point2& a, const Point2& b, const std::vector<bool>& is_seen) {
     const int last = columns_.around(b.x);
     for (int column = columns_.around(a.x); column <= last; ++column) {

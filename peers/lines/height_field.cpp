@@ -28,13 +28,13 @@ bool is_before_eye(const CutMesh& mesh, const HeightGrid& grid, const Camera& ca
                      [&](VertexId v) { return dot(camera.forward, mesh.position(v) - camera.origin) > 0; });
 }
 
-// `constant`: which of the ground axes is constant on a polyline.
+// `constant` says which of the ground axes is constant on a polyline.
 struct Order {
   std::size_t constant = 0;
   bool is_ascending = true;
 };
 
-// As the rays pass the polylines; nothing where not all do it in one order.
+// Returns the order in which the rays pass the polylines; nothing where not all do it in one order.
 std::optional<Order> order_of(const Camera& camera, const HeightGrid& grid) {
   const bool is_far_away = camera.projection == Projection::orthographic;
   for (const std::size_t constant : {std::size_t{0}, std::size_t{1}}) {
@@ -45,7 +45,7 @@ std::optional<Order> order_of(const Camera& camera, const HeightGrid& grid) {
   return std::nullopt;
 }
 
-// nullptr where there is none.
+// Returns nullptr where there is none.
 const char* reason_against(const CutMesh& mesh, const HeightGrid& grid, const Camera& camera) {
   if (!is_upright(camera, grid.height_axis)) return not_upright;
   if (!is_before_eye(mesh, grid, camera)) return behind_eye;
@@ -63,7 +63,7 @@ std::vector<std::vector<VertexId>> polylines_of(const HeightGrid& grid, const Or
   return polylines;
 }
 
-// The edges that join polylines, by the nearer one.
+// Returns the edges that join polylines, by the nearer one.
 std::vector<std::vector<std::array<VertexId, 2>>> joins_of(const CutMesh& mesh,
                                                            const std::vector<std::vector<VertexId>>& polylines) {
   std::vector<std::size_t> polyline_of(mesh.vertices.size());

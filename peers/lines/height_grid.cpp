@@ -34,7 +34,7 @@ GridPlace place_of(const HeightGrid& grid, const Point3& p) {
   return place;
 }
 
-// False where the grid has a place without a vertex, or with two.
+// Returns false where the grid has a place without a vertex, or with two.
 bool set_vertices(HeightGrid& grid, const CutMesh& mesh, const std::vector<VertexId>& vertices) {
   if (vertices.size() != grid.values[0].size() * grid.values[1].size()) return false;
   grid.vertices.resize(vertices.size());
@@ -47,7 +47,7 @@ bool set_vertices(HeightGrid& grid, const CutMesh& mesh, const std::vector<Verte
   return true;
 }
 
-// What covers a cell: per facet a bit for each of the cell's corners that it has, counted around the cell.
+// A facet that covers some of a cell has a bit for each of the cell's corners that it has, counted around the cell.
 using CornerBits = std::uint8_t;
 constexpr CornerBits all_corners = 0b1111;
 
@@ -62,7 +62,7 @@ CornerBits bit_of(bool is_far_first, bool is_far_second) {
   return is_far_second ? 0b1000 : 0b0001;
 }
 
-// Nothing where the facet reaches over more than one cell.
+// Returns nothing where the facet reaches over more than one cell.
 std::optional<CellPart> part_of(const HeightGrid& grid, const CutMesh& mesh, FacetId facet) {
   GridPlace least{grid.values[0].size(), grid.values[1].size()};
   for (const VertexId v : mesh.corners(facet)) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "geometry/mesh/facet_plane.h"
-#include "peers/scene/shifted_side.h"
 
 namespace sightline::peers {
 namespace {
@@ -18,7 +17,7 @@ const Corner& before(const FlatPolygon& polygon, std::size_t i) {
   return polygon.corners[i == 0 ? polygon.corners.size() - 1 : i - 1];
 }
 
-// The side of the line from a to b of p, which is on the line.
+// Returns the side of the line from a to b on which p lies, which is on the scene's line.
 Sign side_at(const Point2& a, const Point2& b, const SceneLine& line, const Point2& p) {
   const Sign from = side_of_moved_point(a, b, place(line.from.place));
   const Sign to = side_of_moved_point(a, b, place(line.to.place));
@@ -27,13 +26,13 @@ Sign side_at(const Point2& a, const Point2& b, const SceneLine& line, const Poin
   return side != 0 ? side : to;
 }
 
-// p, which is on the line, against the height of c.
+// Returns whether p, which is on the line, is above the height of c.
 bool is_above(const SceneLine& line, const Point2& p, const Point2& c) {
   if (p.y != c.y) return p.y > c.y;
   return line.to.place.y >= line.from.place.y;
 }
 
-// The edges that a ray from p to the left meets, as many downwards as upwards outside. Polygons are convex up to the
+// Outside, a ray from p to the left meets as many edges that run downwards as upwards. Polygons are convex up to the
 // grid only, where corners are straight, so it is not enough to be left of each edge.
 bool covers(const FlatPolygon& polygon, const SceneLine& line, const Point2& p) {
   int winding = 0;
@@ -53,7 +52,7 @@ bool has_edge(const CutMesh& mesh, const FlatPolygon& polygon, MeshEdgeId edge) 
   return std::find(edges.begin(), edges.end(), edge) != edges.end();
 }
 
-// +1 beyond the polygon's plane, seen from the eye, -1 before it, 0 in it.
+// Returns +1 beyond the polygon's plane, seen from the eye, -1 before it, 0 in it.
 Sign beyond(const CutMesh& mesh, const FlatPolygon& polygon, VertexId vertex) {
   const Sign side = side_of_plane(mesh, polygon.facet, {mesh.position(vertex), 1});
   return polygon.is_front ? -side : side;

@@ -3,7 +3,7 @@
 // In:  a flat scene, lines of it.
 // Out: at a point of a line, how many polygons lie before it; and at a vertex, how many of the polygons that have it
 //      hide the beginning of a line from there.
-// A polygon never obscures its own edges. The line is thought moved aside a little (shifted_side.h), and the point
+// A polygon never obscures its own edges. The line is thought moved aside a little (scene_lines.h), and the point
 // towards the line's end. On which side of a polygon's plane a line lies is decided exactly on the input's
 // coordinates; where it passes through that plane, depths are compared in double.
 // Complexity: count_at O(n); count_beside O(polygons at the vertex).

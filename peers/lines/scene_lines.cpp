@@ -12,7 +12,7 @@
 namespace sightline::peers {
 namespace {
 
-// A vertex in the camera's homogeneous coordinates.
+// This is a vertex in the camera's homogeneous coordinates.
 struct CameraPoint {
   double x = 0;
   double y = 0;
@@ -38,8 +38,9 @@ Corner image_of(const Camera& camera, const CameraPoint& p) {
   return {p.x / p.w, p.y / p.w, depth};
 }
 
-// What is left of the line from p, before the eye's plane, to q, which is not: up to where it leaves a window of twice
-// the size on the side on which it meets the eye's plane. Nothing: it is beyond that side all along.
+// Returns what is left of the line from p, before the eye's plane, to q, which is not: up to where it leaves a window
+// of twice the size on the side on which it meets the eye's plane. There is nothing where it is beyond that side all
+// along.
 std::optional<CameraPoint> cut_before_eye(const CameraPoint& p, const CameraPoint& q) {
   const CameraPoint at_eye = mixed(p, q, p.w / (p.w - q.w));
   const bool is_across = std::abs(at_eye.x) >= std::abs(at_eye.y);
@@ -49,7 +50,7 @@ std::optional<CameraPoint> cut_before_eye(const CameraPoint& p, const CameraPoin
   return mixed(p, q, inside(p) / (inside(p) - inside(q)));
 }
 
-// The image of a vertex before the eye: its grid point where it is in the window.
+// Returns the image of a vertex before the eye: its grid point where it is in the window.
 Corner vertex_image(const FlatScene& scene, VertexId vertex, const CameraPoint& place) {
   const ProjectedScene& projected = *scene.projected;
   Corner image = image_of(projected.camera, place);
@@ -90,7 +91,7 @@ double on_grid(double coordinate, int grid_bits) {
   return std::ldexp(std::round(std::ldexp(coordinate, grid_bits)), -grid_bits);
 }
 
-// The end of the line's part at p: the line's own end where that is inside the window.
+// Returns the end of the line's part at p: the line's own end where that is inside the window.
 LineEnd end_at(const Point2& p, const LineEnd& end, const ImageLine& line, int grid_bits) {
   if (is_inside(p, Window{})) return end;
   const Corner& a = line.from.place;
@@ -114,14 +115,14 @@ std::optional<ImageLine> clipped(const ImageLine& line, int grid_bits) {
   return ImageLine{end_at(part->from, line.from, line, grid_bits), end_at(part->to, line.to, line, grid_bits)};
 }
 
-// A polygon on a mesh edge.
+// This is a polygon on a mesh edge.
 struct EdgeUse {
   MeshEdgeId edge;
   const FlatPolygon* polygon = nullptr;
   bool is_left = true;
 };
 
-// By mesh edge, then by facet.
+// The uses are sorted by mesh edge, then by facet.
 std::vector<EdgeUse> edge_uses(const FlatScene& scene) {
   const CutMesh& mesh = *scene.mesh;
   std::vector<EdgeUse> uses;

@@ -14,6 +14,7 @@
 
 #include <vector>
 
+#include "geometry/numbers/predicates.h"
 #include "peers/lines/window.h"
 #include "peers/scene/flat_scene.h"
 
@@ -37,7 +38,27 @@ struct SceneLine {
 
 [[nodiscard]] std::vector<SceneLine> scene_lines(const FlatScene& scene);
 
-// Whether the line parts two surfaces: false inside a planar face that was cut into several polygons.
+// Returns whether the line parts two surfaces: false inside a planar face that was cut into several polygons.
 [[nodiscard]] bool parts_surfaces(const CutMesh& mesh, const SceneLine& line);
+
+// Lines whose visibility is asked for are thought moved by an infinitesimal step to the right, and infinitely less
+// upwards. Whatever lies on them in the image, vertices and other edges, is then to one side of them, always the same
+// one: nothing is counted twice or not at all. The sides are exact on the coordinates given (Edelsbrunner and Mücke
+// 1990, Simulation of Simplicity).
+//
+// Returns the side of the line from a to b on which p lies when it is moved by the step: +1 to the left, -1 to the
+// right.
+[[nodiscard]] inline Sign side_of_moved_point(const Point2& a, const Point2& b, const Point2& p) {
+  const Sign side = orient2d(a, b, p);
+  if (side != 0) return side;
+  if (a.y != b.y) return b.y > a.y ? -1 : 1;
+  return b.x > a.x ? 1 : -1;
+}
+
+// Returns the side on which p lies when the line is moved by the step.
+[[nodiscard]] inline Sign side_of_moved_line(const Point2& a, const Point2& b, const Point2& p) {
+  const Sign side = orient2d(a, b, p);
+  return side != 0 ? side : -side_of_moved_point(a, b, p);
+}
 
 }  // namespace sightline::peers

@@ -1,4 +1,4 @@
-// The upright window that lines are clipped to, and lines of the image.
+// Lines of the image are clipped to this upright window.
 #pragma once
 
 #include "geometry/numbers/predicates.h"

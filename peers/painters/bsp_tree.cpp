@@ -11,14 +11,14 @@ namespace {
 using PolygonId = Id<struct PolygonTag>;
 using PolygonIds = std::vector<PolygonId>;
 
-// What lies on the sides of F's plane, as the viewer sees them.
+// The lists are what lies on the sides of F's plane, as the viewer sees them.
 struct SplitList {
   PolygonIds nearer;
   PolygonIds farther;
   PolygonIds within;
 };
 
-// A child that is still to be made.
+// This is a child that is still to be made.
 struct Task {
   PolygonIds list;
   BspNodeId parent;
@@ -26,7 +26,7 @@ struct Task {
   std::size_t level = 1;
 };
 
-// Evenly spaced, at most so many.
+// Returns a sample that is evenly spaced and has at most so many.
 PolygonIds sample(const PolygonIds& list, std::size_t most) {
   if (list.size() <= most) return list;
   PolygonIds chosen;
@@ -137,7 +137,7 @@ class MakeBsp {
   BspTree tree_;
 };
 
-// Of a tree: all of it or, once the child on the other side is displayed, only its root.
+// A tree is to be displayed: all of it or, once the child on the other side is displayed, only its root.
 struct ToDisplay {
   BspNodeId tree;
   bool root_only = false;

@@ -4,9 +4,9 @@
 // makeBSP: choose a polygon F from the list; split all polygons in the list according to F's plane; those on the front
 // side of F make the front child, those on its back side the back child. displayBSP: the child on the other side of F
 // than the viewer, then F, then the child on the viewer's side.
-// Holds: front is where the polygon's front side looks. Polygons in F's plane stay at F's node, the lowest face index in
-// front (and painted last). Every polygon, or all of its parts, is in one node; no part is across the plane of a node
-// above it. Neither building nor displaying recurses, so that a tree may be as high as there are polygons.
+// Holds: front is where the polygon's front side looks. Polygons in F's plane stay at F's node, the lowest face index
+// in front (and painted last). Every polygon, or all of its parts, is in one node; no part is across the plane of a
+// node above it. Neither building nor displaying recurses, so that a tree may be as high as there are polygons.
 // Choice of F: of eight polygons, evenly spaced in the list, the one with the least of 8 * splits + |front - back|
 // among 64 polygons, evenly spaced, too. A split costs as much as eight polygons out of balance.
 // Precision: order at object precision, in doubles; polygons nearer to each other's planes than polygon_split.h's

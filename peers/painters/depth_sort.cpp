@@ -53,7 +53,8 @@ class DepthSort {
     return SurfaceId(surfaces_.size() - 1);
   }
 
-  // Earlier in the list, whose end is painted first: at one depth the lower face index is in front.
+  // Returns whether a comes earlier in the list, whose end is painted first: at one depth the lower face index is in
+  // front.
   [[nodiscard]] bool is_earlier(SurfaceId a, SurfaceId b) const {
     const double depth_a = surface(a).extent.most.depth;
     const double depth_b = surface(b).extent.most.depth;
@@ -75,7 +76,7 @@ class DepthSort {
     }
   }
 
-  // The first Q for which all five tests fail.
+  // Returns the first Q for which all five tests fail.
   [[nodiscard]] std::optional<SurfaceId> obstacle_of(SurfaceId p) {
     const auto is_obstacle = [&](SurfaceId q) {
       return q != p && !is_nearer_throughout(surface(q), surface(p)) && !may_be_painted_first(surface(p), surface(q));
@@ -102,7 +103,7 @@ class DepthSort {
     return images_apart(p, q);
   }
 
-  // Tests 3' and 4'.
+  // These are tests 3' and 4'.
   bool may_be_reversed(const Surface& p, const Surface& q) {
     ++tests_.given_to_3_and_4_reversed;
     return is_behind(q, p) || is_before(p, q);
@@ -131,7 +132,7 @@ class DepthSort {
     return {std::find(moved_.begin(), moved_.end(), q), moved_.end()};
   }
 
-  // P by Q's plane where that cuts it.
+  // P is split by Q's plane where that cuts it.
   bool split_one_of(const SurfaceList& cycle) {
     for (auto cut = cycle.rbegin(); cut != cycle.rend(); ++cut) {
       for (const SurfaceId by : cycle) {

@@ -9,8 +9,8 @@
 // Ends: a surface moves at most once before it is painted or something is split. A split leaves each part on one side
 // of a plane, where its own parts stay (rounding moves a cut's corners by some 2^-13 of the tolerance); planes are no
 // more than polygons, so splits end, too.
-// Departures: the slides split P and Q, both. One suffices, P where that can be: its farther part, Q, its nearer part is
-// an order already. And neither need be across the other's plane: in a cycle of more than two, of which Q is the
+// Departures: the slides split P and Q, both. One suffices, P where that can be: its farther part, Q, its nearer part
+// is an order already. And neither need be across the other's plane: in a cycle of more than two, of which Q is the
 // first to be painted and P the last, any one that is across another one's plane is split. After a split what had moved
 // is sorted in again.
 // Precision: order at object precision, in doubles (tolerances and ties: newell_tests.h); painting at image precision.
@@ -27,7 +27,7 @@
 
 namespace sightline::peers {
 
-// never: to see what the split is for. P is painted where reversing does not help.
+// With `never` one sees what the split is for: P is painted where reversing does not help.
 enum class Splitting : std::uint8_t { where_needed, never };
 
 struct DepthSorted {

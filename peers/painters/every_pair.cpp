@@ -35,7 +35,7 @@ std::vector<Object> objects_of(const FlatScene& scene) {
   return objects;
 }
 
-// Goes backwards, so that what is put at the end is not looked at again.
+// This goes backwards, so that what is put at the end is not looked at again.
 void obstruct(Object& behind, const Part& in_front) {
   std::vector<Part>& parts = behind.unobstructed;
   for (std::size_t i = parts.size(); i-- > 0;) {

@@ -32,7 +32,7 @@ std::size_t hidden_corners(const Structures& s, const Triangle& t) {
       std::count_if(t.vertices.begin(), t.vertices.end(), [&](std::size_t v) { return !s.V[v].visible; }));
 }
 
-// Algorithm 3.4.
+// This is algorithm 3.4.
 void find_hidden_triangles(Structures& s, Work& work) {
   for (Vertex& v : s.V) {
     for (const Triangle& t : s.T) {
@@ -49,7 +49,7 @@ void find_hidden_triangles(Structures& s, Work& work) {
   }
 }
 
-// T_closer, each by its projection.
+// Returns T_closer, each by its projection.
 Projections closer_triangles(const Structures& s, const Triangle& t, const CutMesh& mesh) {
   const ConvexRing projection = s.projection(t);
   Projections closer;
@@ -74,7 +74,7 @@ Points intersections(const ConvexRing& a, const ConvexRing& b) {
   return points;
 }
 
-// Lines 3 to 10 of algorithm 3.5.
+// These are lines 3 to 10 of algorithm 3.5.
 Points retriangulation_points(const ConvexRing& triangle, const Projections& closer) {
   Points points = triangle;
   for (const ConvexRing& other : closer) {
@@ -102,7 +102,7 @@ Points points_of_visible_triangles(const Points& points, const Projections& clos
   return kept;
 }
 
-// Algorithm 3.5 for one partly visible triangle. Depths on its plane take the place of 3D positions (line 11).
+// This is algorithm 3.5 for one partly visible triangle. Depths on its plane take the place of 3D positions (line 11).
 void retriangulate(Structures& s, std::size_t index, const CutMesh& mesh, Work& work) {
   const FlatPolygon& polygon = *s.T[index].polygon;
   const ConvexRing triangle = s.projection(s.T[index]);

@@ -48,12 +48,13 @@ struct Structures {
 void add_triangle(Structures& structures, const FlatPolygon& polygon, const std::array<Point2, 3>& corners,
                   bool visible);
 
-// By the signs of p's barycentric coordinates, exactly: inside or on an edge. "If b_i = 1 then p coincides with p_i",
-// and is not inside: so no triangle hides its own corners.
+// The signs of p's barycentric coordinates tell, exactly, whether it is inside or on an edge. "If b_i = 1 then p
+// coincides with p_i", and is not inside: so no triangle hides its own corners.
 [[nodiscard]] bool is_inside(const Point2& p, const ConvexRing& triangle);
 
-// The point that the segments ab and cd have in common; none where they are parallel. An end that lies on the other
-// segment is the point itself; otherwise it is rounded, to the same point whichever way round the segments are given.
+// This is the point that the segments ab and cd have in common; there is none where they are parallel. An end that lies
+// on the other segment is the point itself; otherwise it is rounded, to the same point whichever way round the segments
+// are given.
 struct Intersection {
   bool found = false;
   Point2 point;

@@ -10,7 +10,7 @@
 
 namespace sightline::peers {
 
-// The three arithmetics on the grid of 40 bits, then exact arithmetic on grids of 32, 24, 16, 12 and 8.
+// Returns the three arithmetics on the grid of 40 bits, then exact arithmetic on grids of 32, 24, 16, 12 and 8.
 [[nodiscard]] std::vector<Peer> sweep_peers();
 
 }  // namespace sightline::peers

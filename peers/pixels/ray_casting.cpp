@@ -18,7 +18,7 @@ std::vector<Obstacle> obstacles_of(const FlatScene& scene) {
   return obstacles;
 }
 
-// Those that a ray at this height may meet.
+// Returns those that a ray at this height may meet.
 std::vector<Obstacle> at_height(const std::vector<Obstacle>& obstacles, double y) {
   std::vector<Obstacle> met;
   for (const Obstacle& obstacle : obstacles) {

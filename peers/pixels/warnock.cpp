@@ -4,18 +4,18 @@
 #include <array>
 #include <utility>
 
-#include "peers/errors/image_rectangle.h"
+#include "peers/pixels/image_rectangle.h"
 #include "peers/scene/nearest.h"
 
 namespace sightline::peers {
 namespace {
 
-// Polygons linked to each other: the first of them; links say who follows.
+// A list of polygons is the first of them; links say who follows.
 using List = PolygonNumber;
 
 using Depths = std::array<double, 4>;
 
-// Whether the first is nearer wherever both are over the rectangle: at no corner is it deeper.
+// Returns whether the first is nearer wherever both are over the rectangle: at no corner is it deeper.
 bool is_closer(const Depths& p, const Depths& q, bool has_lower_index) {
   bool closer_somewhere = has_lower_index;
   for (std::size_t v = 0; v < 4; ++v) {
@@ -69,7 +69,7 @@ class Subdivision {
     }
   }
 
-  // Whether that was possible without subdividing.
+  // Returns whether that was possible without subdividing.
   bool paint(const Rectangle& r, List slist, List ilist) {
     if (r.is_pixel()) {
       paint_pixel(r.columns.begin, r.rows.begin, slist, ilist);
@@ -85,8 +85,8 @@ class Subdivision {
     return true;
   }
 
-  // The member of slist that is closer than all others of slist and ilist, if there is one: then its depths at the
-  // rectangle's corners come first in every order.
+  // Returns the member of slist that is closer than all others of slist and ilist, if there is one: then its depths at
+  // the rectangle's corners come first in every order.
   PolygonNumber closest(const Rectangle& r, List slist, List ilist) const {
     const Vertices vertices = vertices_of(r, framebuffer_.resolution());
     if (slist == no_polygon) return no_polygon;

@@ -121,7 +121,7 @@ class ScanLines {
     show({column, span.end}, row);
   }
 
-  // The first column right of where the two segments cross, so that both parts of the span have a pixel.
+  // Returns the first column right of where the two segments cross, so that both parts of the span have a pixel.
   int crossing_column(PolygonNumber p, PolygonNumber q, PixelRange span, int row) const {
     const DepthPlane& one = polygon_table_[p].plane_equation;
     const DepthPlane& other = polygon_table_[q].plane_equation;
@@ -129,7 +129,7 @@ class ScanLines {
     return std::clamp(first_column_from(buffer_, x), span.begin + 1, span.end - 1);
   }
 
-  // Of those that are in. A single one needs no depth.
+  // Returns the nearest of those that are in. A single one needs no depth.
   PolygonNumber nearest(int column, int row) {
     if (in_.size() == 1) return in_.front();
     Nearest front;

@@ -7,38 +7,23 @@
 namespace sightline::peers {
 namespace {
 
-class ZBuffer {
- public:
-  explicit ZBuffer(int resolution)
-      : framebuffer_(resolution), z_buffer_(pixel_count(resolution), std::numeric_limits<double>::infinity()) {}
-
-  void paint(const FlatPolygon& polygon) {
-    for_each_covered_pixel(framebuffer_, polygon.corners, [&](int column, int row) {
-      const double pz = polygon.plane.at(framebuffer_.x_of(column), framebuffer_.y_of(row));
-      double& z = z_buffer_[pixel_index(column, row, framebuffer_.resolution())];
-      ++touched_;
+Outcome paint_nearest(const FlatScene& scene, int resolution) {
+  ItemBuffer framebuffer(resolution);
+  std::vector<double> z_buffer(pixel_count(resolution), std::numeric_limits<double>::infinity());
+  std::uint64_t touched = 0;
+  std::uint64_t painted = 0;
+  for (const FlatPolygon& polygon : scene.polygons) {
+    for_each_covered_pixel(framebuffer, polygon.corners, [&](int column, int row) {
+      const double pz = polygon.plane.at(framebuffer.x_of(column), framebuffer.y_of(row));
+      double& z = z_buffer[pixel_index(column, row, resolution)];
+      ++touched;
       if (!(pz < z)) return;
       z = pz;
-      framebuffer_.paint(column, row, polygon.face);
-      ++painted_;
+      framebuffer.paint(column, row, polygon.face);
+      ++painted;
     });
   }
-
-  [[nodiscard]] Outcome outcome() && {
-    return {std::move(framebuffer_), {{"pixels touched", touched_}, {"pixels painted", painted_}}};
-  }
-
- private:
-  ItemBuffer framebuffer_;
-  std::vector<double> z_buffer_;
-  std::uint64_t touched_ = 0;
-  std::uint64_t painted_ = 0;
-};
-
-Outcome paint_nearest(const FlatScene& scene, int resolution) {
-  ZBuffer buffer(resolution);
-  for (const FlatPolygon& polygon : scene.polygons) buffer.paint(polygon);
-  return std::move(buffer).outcome();
+  return {std::move(framebuffer), {{"pixels touched", touched}, {"pixels painted", painted}}};
 }
 
 }  // namespace

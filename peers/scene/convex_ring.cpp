@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "peers/scene/ring_area.h"
-
 namespace sightline::peers {
 namespace {
 
-// Twice the signed area of a, b, p, relative to p.
+// Returns twice the signed area of a, b, p, relative to p.
 double side(const Point2& a, const Point2& b, const Point2& p) {
   return (a.x - p.x) * (b.y - p.y) - (a.y - p.y) * (b.x - p.x);
 }
@@ -25,7 +23,7 @@ void add(RingHalves& halves, const Point2& p, double side_of_p) {
   if (side_of_p <= 0) halves.right.push_back(p);
 }
 
-// Both parts of a ring along the line through from and to.
+// Returns both parts of a ring along the line through from and to.
 RingHalves halves_of(const ConvexRing& ring, const Point2& from, const Point2& to) {
   RingHalves halves;
   for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -41,7 +39,7 @@ RingHalves halves_of(const ConvexRing& ring, const Point2& from, const Point2& t
   return halves;
 }
 
-// One side of the hull: the corners, in order, between which all turns are to the left.
+// Adds one side of the hull: the corners, in order, between which all turns are to the left.
 void add_chain(ConvexRing& hull, const std::vector<Point2>& points) {
   const std::size_t first = hull.size();
   for (const Point2& p : points) {
@@ -77,7 +75,7 @@ bool is_below_resolution(const ConvexRing& ring) {
   return 2 * signed_area(ring) <= std::ldexp(perimeter, -default_grid_bits);
 }
 
-// Andrew's monotone chains (1979), with exact turns.
+// This has Andrew's monotone chains (1979), with exact turns.
 ConvexRing convex_image(const FlatPolygon& polygon) {
   std::vector<Point2> points;
   for (const Corner& c : polygon.corners) points.push_back({c.x, c.y});

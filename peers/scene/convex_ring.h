@@ -21,27 +21,39 @@ namespace sightline::peers {
 
 using ConvexRing = std::vector<Point2>;
 
-// The smallest and largest x and y: the slides' minmax of a projection.
+// These are the smallest and largest x and y: the slides' minmax of a projection.
 struct MinMax {
   Point2 least;
   Point2 most;
 };
 [[nodiscard]] MinMax minmax_of(const ConvexRing& ring);
 
-// Whether the extents have a point in common.
+// Returns whether the extents have a point in common.
 [[nodiscard]] bool extents_overlap(const MinMax& a, const MinMax& b);
 [[nodiscard]] bool contains(const MinMax& extent, const Point2& p);
 
+// Returns the area of a ring, convex or not: it is positive where the ring runs counter-clockwise, and 0 for fewer than
+// three corners. It is computed relative to the first corner.
+[[nodiscard]] inline double signed_area(const std::vector<Point2>& ring) {
+  double twice = 0;
+  for (std::size_t i = 2; i < ring.size(); ++i) {
+    const Point2& p = ring[i - 1];
+    const Point2& q = ring[i];
+    twice += (p.x - ring[0].x) * (q.y - ring[0].y) - (p.y - ring[0].y) * (q.x - ring[0].x);
+  }
+  return twice / 2;
+}
+
 [[nodiscard]] bool is_below_resolution(const ConvexRing& ring);
 
-// The convex hull of a polygon's corners, exactly. Rounding to the grid may have dented the polygon, by less than a
-// grid's spacing; and a corner on a straight edge is left out. Empty where all corners are on one line.
+// Returns the convex hull of a polygon's corners, exactly. Rounding to the grid may have dented the polygon, by less
+// than a grid's spacing; and a corner on a straight edge is left out. It is empty where all corners are on one line.
 [[nodiscard]] ConvexRing convex_image(const FlatPolygon& polygon);
 
-// What both have in common; empty where that is below resolution.
+// Returns what both have in common; it is empty where that is below resolution.
 [[nodiscard]] ConvexRing overlap(const ConvexRing& a, const ConvexRing& b);
 
-// The parts of the ring outside the other one: the ring itself where nothing is in common.
+// Returns the parts of the ring outside the other one: the ring itself where nothing is in common.
 [[nodiscard]] std::vector<ConvexRing> remains(const ConvexRing& ring, const ConvexRing& taken_away);
 
 }  // namespace sightline::peers

@@ -1,6 +1,6 @@
-// How far what a peer says of areas is from what is exactly visible.
+// The errors say how far what a peer says of areas is from what is exactly visible.
 //
-// Areas are integrated, not sampled: of an item buffer each pixel counts with the part of it that the exact visible
+// Areas are integrated, not sampled: each pixel of an item buffer counts with the part of it that the exact visible
 // polygons give to another face; visible parts are cut with the exact polygons. Nothing seen is a label, too.
 #pragma once
 
@@ -20,7 +20,7 @@ struct AreaErrors {
   std::size_t hidden_faces_shown = 0;  // shown, and not visible
 };
 
-// Per face that has any, in window units squared (the window has 4).
+// Each face that has any has its area, in window units squared (the window has 4).
 using FaceAreas = std::map<FaceId, double>;
 
 // Fills in all but the wrong share.

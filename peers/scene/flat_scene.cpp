@@ -6,7 +6,7 @@
 namespace sightline::peers {
 namespace {
 
-// Newell's normal (slides 001) of the corners, taken relative to the first of them.
+// Returns Newell's normal (slides 001) of the corners, taken relative to the first of them.
 Vector3 normal_of(const CutMesh& mesh, FacetId facet) {
   const auto corners = mesh.corners(facet);
   const Point3& first = mesh.position(corners.front());
@@ -17,8 +17,8 @@ Vector3 normal_of(const CutMesh& mesh, FacetId facet) {
   return normal;
 }
 
-// What a camera's rows undo: a point at (x, y) of the window and at W is origin + W (x across + y upwards + ahead), or,
-// where orthographic and W is the distance, origin + x across + y upwards + W ahead.
+// A frame has what a camera's rows undo: a point at (x, y) of the window and at W is origin + W (x across + y upwards +
+// ahead), or, where orthographic and W is the distance, origin + x across + y upwards + W ahead.
 struct Frame {
   Vector3 across;
   Vector3 upwards;
@@ -31,7 +31,7 @@ Frame frame_of(const Camera& camera) {
           (1 / volume) * cross(camera.right, camera.up)};
 }
 
-// From normal . (point - origin) = offset, with the point as the frame has it.
+// The plane follows from normal . (point - origin) = offset, with the point as the frame has it.
 DepthPlane depth_plane(const Frame& frame, const Camera& camera, const Vector3& normal, double offset) {
   const double a = dot(normal, frame.across);
   const double b = dot(normal, frame.upwards);

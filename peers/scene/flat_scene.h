@@ -2,9 +2,9 @@
 //
 // In:  a mesh cut along common lines, and its projected scene (which culled, clipped and projected).
 // Out: one polygon per facet in view, by facet. x and y are in the window [-1, 1]^2, x to the right, y up. Depth grows
-//      away from the eye and is affine over the image of a plane, so that flat polygons stay flat and the eye may be thought
-//      infinitely far away at depth minus infinity (the normalized view volume): -1 / W where the camera is a pinhole,
-//      the distance along the view direction where it is orthographic.
+//      away from the eye and is affine over the image of a plane, so that flat polygons stay flat and the eye may be
+//      thought infinitely far away at depth minus infinity (the normalized view volume): -1 / W where the camera is a
+//      pinhole, the distance along the view direction where it is orthographic.
 // Holds: corners are counter-clockwise in the image, whichever side of the facet is seen; polygons are by facet; no
 //      polygon passes through another one. Everything is double: x and y are the grid's points, exactly; the plane is
 //      computed from the input's coordinates and rounded, corners' depths are the plane's there. Planes are finite:
@@ -29,7 +29,7 @@ struct Corner {
   double depth = 0;
 };
 
-// depth = a x + b y + c: the slides' plane equation, solved for the depth.
+// depth = a x + b y + c is the slides' plane equation, solved for the depth.
 struct DepthPlane {
   double a = 0;
   double b = 0;
@@ -37,7 +37,7 @@ struct DepthPlane {
   [[nodiscard]] double at(double x, double y) const { return (a * x + b * y) + c; }
 };
 
-// The smallest and largest x, y and depth of the corners: the slides' extents.
+// These are the smallest and largest x, y and depth of the corners: the slides' extents.
 struct Extent {
   Corner least;
   Corner most;

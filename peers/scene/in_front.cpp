@@ -15,7 +15,7 @@ bool lie_in_one_plane(const CutMesh& mesh, FacetId a, FacetId b) {
   });
 }
 
-// How much farther away a is than b, where that is most or least.
+// Returns how much farther away a is than b, where that is most or least.
 double largest_difference(const DepthPlane& a, const DepthPlane& b, const ConvexRing& overlap) {
   double largest = 0;
   for (const Point2& p : overlap) {

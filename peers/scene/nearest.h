@@ -10,7 +10,7 @@
 
 namespace sightline::peers {
 
-// By position in the flat scene.
+// A polygon's number is its position in the flat scene.
 using PolygonNumber = std::uint32_t;
 constexpr PolygonNumber no_polygon = std::numeric_limits<PolygonNumber>::max();
 

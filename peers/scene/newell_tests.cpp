@@ -8,7 +8,7 @@ namespace {
 
 using Corners = std::vector<Corner>;
 
-// Whether the corner is right of the line, on it, or less than a touch left of it.
+// Returns whether the corner is right of the line, on it, or less than a touch left of it.
 bool is_outside(const Corner& from, const Corner& to, const Corner& corner) {
   const double dx = to.x - from.x;
   const double dy = to.y - from.y;

@@ -6,8 +6,8 @@
 // Holds: 3 or 4' is true where P is not across Q's plane, and 4 or 3' where Q is not across P's. So where all four are
 //      false, each of the two has to be split by the other's plane, and can be.
 // Tie: a surface in the plane of another one is behind it where its face index is higher: the lower one is in front.
-// Tolerance: planes touch as polygon_split.h says; depths and images touch where they overlap by no more than `touching`
-//      (of the depth, or in the window), which may give a pixel as near to an edge to a neighbour.
+// Tolerance: planes touch as polygon_split.h says; depths and images touch where they overlap by no more than
+//      `touching` (of the depth, or in the window), which may give a pixel as near to an edge to a neighbour.
 // Complexity: test 5 O(k^2) for k corners, 3 and 4 O(k), 1 and 2 O(1). Errors: none.
 // Source: slides 001, depth-sort algorithm. Test 5 looks for an edge of either image that has the other one outside.
 #pragma once
@@ -22,7 +22,7 @@ struct Surface {
   Extent extent;
 };
 
-// "Every polygon whose z extent overlaps P's": not those that are nearer throughout.
+// Newell takes "every polygon whose z extent overlaps P's": not those that are nearer throughout.
 [[nodiscard]] bool is_nearer_throughout(const Surface& q, const Surface& p);
 
 [[nodiscard]] bool x_extents_apart(const Surface& p, const Surface& q);  // 1

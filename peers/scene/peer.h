@@ -19,10 +19,11 @@ class RefusedScene : public Error {
   using Error::Error;
 };
 
-// At whose precision visibility is decided: each pixel's, or that of the numbers that objects are given in.
+// Visibility is decided at a precision: each pixel's, or that of the numbers that objects are given in.
 enum class ComputedAt : std::uint8_t { image_precision, object_precision };
 
-// How much there was of something that the algorithm works on: "pixels touched", "pairs tested", "nodes", "splits".
+// A count says how much there was of something that the algorithm works on: "pixels touched", "pairs tested", "nodes",
+// "splits".
 struct Count {
   std::string what;
   std::uint64_t number = 0;

@@ -7,14 +7,14 @@ namespace {
 
 double size_of(const DepthPlane& plane) { return std::abs(plane.a) + std::abs(plane.b) + std::abs(plane.c); }
 
-// By how much one plane is farther than another one.
+// The gap says by how much one plane is farther than another one.
 class Gap {
  public:
   Gap(const DepthPlane& plane, const DepthPlane& other)
       : difference_{plane.a - other.a, plane.b - other.b, plane.c - other.c},
         tolerance_(touching * (size_of(plane) + size_of(other))) {}
 
-  // 0 where they touch.
+  // The gap is 0 where they touch.
   [[nodiscard]] double at(const Corner& corner) const {
     const double gap = difference_.at(corner.x, corner.y);
     return std::abs(gap) <= tolerance_ ? 0 : gap;
@@ -25,7 +25,7 @@ class Gap {
   double tolerance_;
 };
 
-// Where the gap along the edge is 0. The depth is the polygon's own plane's.
+// Returns the place where the gap along the edge is 0. The depth is the polygon's own plane's.
 Corner cut_point(const DepthPlane& plane, const Corner& from, double gap_from, const Corner& to, double gap_to) {
   const double share = gap_from / (gap_from - gap_to);
   const double x = from.x + share * (to.x - from.x);

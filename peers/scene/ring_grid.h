@@ -14,7 +14,8 @@ class RingGrid {
  public:
   explicit RingGrid(const VisibleParts& parts);
 
-  // The indices of those parts whose boxes share a cell with the ring's box, ascending. Not for two threads at once.
+  // Returns the indices of those parts whose boxes share a cell with the ring's box, ascending. It is not for two
+  // threads at once.
   [[nodiscard]] std::vector<std::size_t> near(const std::vector<Point2>& ring);
 
  private:

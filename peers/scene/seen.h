@@ -1,4 +1,4 @@
-// What a peer says is seen: an item buffer, visible polygons, or visible lines.
+// A peer says what is seen: an item buffer, visible polygons, or visible lines.
 #pragma once
 
 #include <variant>
@@ -9,15 +9,15 @@
 
 namespace sightline::peers {
 
-// Row by row from the top: where a pixel stands in an array of all.
+// Returns where a pixel stands in an array of all: row by row from the top.
 [[nodiscard]] constexpr std::size_t pixel_index(int column, int row, int resolution) {
   return static_cast<std::size_t>(row) * static_cast<std::size_t>(resolution) + static_cast<std::size_t>(column);
 }
 
 [[nodiscard]] constexpr std::size_t pixel_count(int resolution) { return pixel_index(0, resolution, resolution); }
 
-// A face per pixel, as seen at the pixel's centre. The window's left upper corner is that of the first pixel; rows go
-// down.
+// An item buffer has a face per pixel, as seen at the pixel's centre. The window's left upper corner is that of the
+// first pixel; rows go down.
 class ItemBuffer {
  public:
   explicit ItemBuffer(int resolution) : resolution_(resolution), faces_(pixel_count(resolution)) {}
@@ -26,7 +26,7 @@ class ItemBuffer {
   [[nodiscard]] FaceId at(int column, int row) const { return faces_[index(column, row)]; }
   void paint(int column, int row, FaceId face) { faces_[index(column, row)] = face; }
 
-  // Of a pixel's centre, exact for resolutions that are powers of two.
+  // Returns the place of a pixel's centre, exactly for resolutions that are powers of two.
   [[nodiscard]] double x_of(int column) const { return (2 * column + 1.0) / resolution_ - 1; }
   [[nodiscard]] double y_of(int row) const { return 1 - (2 * row + 1.0) / resolution_; }
 
@@ -37,7 +37,7 @@ class ItemBuffer {
   std::vector<FaceId> faces_;  // invalid: nothing is seen
 };
 
-// A ring that bounds what is seen of a face, in the window's coordinates: counter-clockwise adds its inside, clockwise
+// A ring bounds what is seen of a face, in the window's coordinates: counter-clockwise it adds its inside, clockwise it
 // takes it away.
 struct VisiblePart {
   FaceId face;
@@ -45,7 +45,7 @@ struct VisiblePart {
 };
 using VisibleParts = std::vector<VisiblePart>;
 
-// A part of an edge, or of a profile, that is seen.
+// This is a part of an edge, or of a profile, that is seen.
 struct VisibleLine {
   Point2 from;
   Point2 to;

@@ -8,8 +8,8 @@
 namespace sightline::inline reconstruct {
 namespace {
 
-// A directed edge between welded vertices, and how often it is there; from < to in a canonical chain, with count < 0
-// for the opposite direction.
+// A link is a directed edge between welded vertices, with how often it is there; in a canonical chain from < to, and
+// the opposite direction counts < 0.
 struct Link {
   VertexId from;
   VertexId to;
@@ -24,7 +24,7 @@ void add(Chain& chain, VertexId from, VertexId to, int count) {
 
 std::pair<VertexId, VertexId> ends(const Link& link) { return {link.from, link.to}; }
 
-// Equal links added up, those with count 0 left out; sorted.
+// Returns the chain with equal links added up and those with count 0 left out, sorted.
 Chain canonical(Chain chain) {
   std::ranges::sort(chain, {}, ends);
   Chain result;
@@ -38,7 +38,7 @@ Chain canonical(Chain chain) {
   return result;
 }
 
-// Both directions as links with a positive count, sorted by where they start.
+// Returns both directions as links with a positive count, sorted by where they start.
 Chain outgoing(const Chain& border) {
   Chain result;
   for (const Link& link : border) {
@@ -49,7 +49,7 @@ Chain outgoing(const Chain& border) {
   return result;
 }
 
-// Of links sorted by where they start, those that start at v.
+// Returns the links that start at v, of links sorted by where they start.
 std::span<const Link> leaving_from(const Chain& links, VertexId v) {
   const auto first = std::ranges::lower_bound(links, v, {}, &Link::from);
   const auto last = std::ranges::upper_bound(links, v, {}, &Link::from);
@@ -98,7 +98,7 @@ class Conformity {
     }
   }
 
-  // The sides of the triangles of a face, each in the direction of its triangle or as a count of -1.
+  // Returns the sides of the triangles of a face, each in the direction of its triangle or as a count of -1.
   [[nodiscard]] Chain sides(FaceId face) const {
     Chain chain;
     for (std::size_t t = first_triangle_[face.index()]; t < first_triangle_[face.index() + 1]; ++t) {
@@ -108,7 +108,7 @@ class Conformity {
     return chain;
   }
 
-  // The mesh edges around a face: those between its own facets cancel.
+  // These are the mesh edges around a face: those between its own facets cancel.
   struct BorderEdge {
     MeshEdgeId edge;
     int count = 0;  // positive: in the direction of the mesh edge's ends
@@ -132,7 +132,7 @@ class Conformity {
     return result;
   }
 
-  // Where a border runs back along itself the links of a mesh edge may have cancelled: then all sides of the triangles
+  // Where a border runs back along itself the links of a mesh edge may have cancelled; then all sides of the triangles
   // are looked at.
   void find_pieces(FaceId face) {
     for (const bool of_border : {true, false}) {
@@ -152,7 +152,7 @@ class Conformity {
     if (b.count < 0) std::ranges::reverse(pieces);
   }
 
-  // The vertices of a path along the links, both ends included; empty where none leads there.
+  // Returns the vertices of a path along the links, both ends included; it is empty where none leads there.
   [[nodiscard]] std::vector<VertexId> path(const Chain& links, VertexId from, VertexId to) const {
     std::vector<VertexId> vertices{from};
     while (vertices.back() != to) {
@@ -163,7 +163,7 @@ class Conformity {
     return vertices;
   }
 
-  // Where p lies beside the straight way from a to b: how far along (0 to 1), and how far off.
+  // A detour says where p lies beside the straight way from a to b: how far along (0 to 1), and how far off.
   struct Detour {
     double along = 0;
     double off = 0;
@@ -174,7 +174,7 @@ class Conformity {
     return {along, norm(p - (a + along * (b - a)))};
   }
 
-  // The end of the link that makes way and leads least away from the straight way.
+  // Returns the end of the link that makes way and leads least away from the straight way.
   [[nodiscard]] VertexId straightest(std::span<const Link> leaving, VertexId from, VertexId to) const {
     const auto& vertices = labelled_.vertices;
     const auto key = [&](const Link& link) {

@@ -47,8 +47,8 @@ void EdgePoints::find_in_view(const ProjectedScene& scene, const std::vector<Can
   }
 }
 
-// A facet runs along its edges from corner to corner; clipping keeps that direction. Nothing is in view of an edge that only
-// touches the view volume.
+// A facet runs along its edges from corner to corner; clipping keeps that direction. Nothing is in view of an edge that
+// only touches the view volume.
 EdgePoints::InView EdgePoints::in_view_of(const ProjectedScene& scene, MeshEdgeId edge, FacetId facet) {
   const CutMesh& mesh = scene.mesh();
   const auto polygon = scene.polygon(facet);

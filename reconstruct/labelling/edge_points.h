@@ -28,16 +28,17 @@ class EdgePoints {
   EdgePoints(const ProjectedScene& scene, const VisibleSegments& segments, const ImagePoints& points,
              std::vector<Point3>& vertices);
 
-  // From the edge's first end to its second.
+  // Returns the points from the edge's first end to its second.
   [[nodiscard]] std::span<const EdgePoint> on(MeshEdgeId edge) const {
     return std::span(points_).subspan(begin_[edge.index()], begin_[edge.index() + 1] - begin_[edge.index()]);
   }
 
-  // The vertex at one of the edge's points. Precondition: there is one.
+  // Returns the vertex at one of the edge's points. Precondition: there is one.
   [[nodiscard]] VertexId vertex(MeshEdgeId edge, PointId p) const;
 
  private:
-  // The part of a mesh edge that is in view, whichever facet on it says it, from the edge's first end towards its second.
+  // This is the part of a mesh edge that is in view, whichever facet on it says it, from the edge's first end towards
+  // its second.
   struct InView {
     const ClippedCorner* from = nullptr;
     const ClippedCorner* to = nullptr;

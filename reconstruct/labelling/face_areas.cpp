@@ -22,11 +22,12 @@ constexpr double most_terms = 0x1p34;
 constexpr double of_sum = (most_terms * u) * (most_terms * u) * (most_terms * u) * root_of_3 / 2;
 static_assert(of_corners + of_evaluation + of_sum < 0.6 * rounding);
 
-// In units of the spacing between denormal numbers, where that is more. What it adds is below the two fifths left above.
+// This bound is in units of the spacing between denormal numbers, and counts where that is more. What it adds is below
+// the two fifths left above.
 constexpr double denormal_rounding = 5;
 static_assert(root_of_3 <= 0.4 * denormal_rounding);
 
-// A sum of n numbers that is off by at most (n u)^3 times the sum of their magnitudes, and by the rounding of the result:
+// The sum of n numbers is off by at most (n u)^3 times the sum of their magnitudes, and by the rounding of the result:
 // what rounding loses of the first part is summed in the second, and what it loses of that in the third (Klein 2006).
 class Sum {
  public:
@@ -51,7 +52,7 @@ class Sum {
 
 double component(const Vector3& v, int axis) { return axis == 0 ? v.x : (axis == 1 ? v.y : v.z); }
 
-// A triangle with its coordinates divided by a power of two, so that squares neither overflow nor vanish.
+// This triangle has its coordinates divided by a power of two, so that squares neither overflow nor vanish.
 struct ScaledTriangle {
   Vector3 twice_area;  // as a vector
   double perimeter = 0;
@@ -68,9 +69,9 @@ struct ScaledTriangle {
   [[nodiscard]] double area() const { return norm(twice_area) / 2; }
 };
 
-// Whether in the image, unrounded, the triangle is narrower than what rounding can turn over. Every corner lies within
-// half a spacing per axis, 0.71 in all, of where it was when the triangle was made the right way round; on the way it
-// had no width, and the width changes by twice that at most.
+// Returns whether in the image, unrounded, the triangle is narrower than what rounding can turn over. Every corner lies
+// within half a spacing per axis, 0.71 in all, of where it was when the triangle was made the right way round; on the
+// way it had no width, and the width changes by twice that at most.
 bool is_narrow(const std::array<Point3, 3>& corners, const ProjectedScene& scene) {
   constexpr double widest = 1.5;
   const Camera& camera = scene.camera;
@@ -96,7 +97,7 @@ class FaceCheck {
             std::vector<std::string>& messages)
       : labelled_(labelled), mesh_(scene.mesh()), uncut_(uncut), scene_(scene), messages_(messages) {}
 
-  // Of all the triangles, those from first to end.
+  // The face has, of all the triangles, those from first to end.
   void run(FaceId face, std::size_t first, std::size_t end) {
     choose_scale(face);
     surplus_ = perimeters_ = undecided_ = Sum{};
@@ -113,8 +114,7 @@ class FaceCheck {
   }
 
  private:
-  // An axis along which to look at a surface, the best one as far as rounding tells, and the surface's exact orientation
-  // seen so.
+  // A surface is looked at along the best axis, as far as rounding tells, and its orientation seen so is exact.
   struct SurfaceOrientation {
     int axis = 0;
     Sign sign = 0;

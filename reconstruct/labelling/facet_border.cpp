@@ -6,7 +6,7 @@
 namespace sightline::inline reconstruct {
 namespace {
 
-// The points of an edge in the direction in which the facet runs through it.
+// Returns the points of an edge in the direction in which the facet runs through it.
 std::vector<EdgePoint> along(const CutMesh& mesh, const EdgePoints& edge_points, MeshEdgeId edge, VertexId from) {
   const auto on_edge = edge_points.on(edge);
   std::vector<EdgePoint> result(on_edge.begin(), on_edge.end());
@@ -55,14 +55,14 @@ std::vector<BorderPoint> facet_border(const CutMesh& mesh, const EdgePoints& edg
 
 namespace {
 
-// An edge of a piece, in the piece's direction.
+// This is an edge of a piece, in the piece's direction.
 struct PieceEdge {
   VertexId from;
   MeshEdgeId edge;
   bool forward = false;  // along the mesh edge
 };
 
-// Those on the border of a whole: inside it each edge has two pieces.
+// Returns the edges on the border of a whole: inside it each edge has two pieces.
 std::vector<PieceEdge> border_edges(const CutMesh& mesh, WholeId whole) {
   std::vector<PieceEdge> edges;
   const auto& first = mesh.cuts.first_facet;
@@ -83,7 +83,7 @@ std::vector<PieceEdge> border_edges(const CutMesh& mesh, WholeId whole) {
   return border;
 }
 
-// In order around the whole.
+// Returns the edges in their order around the whole.
 std::vector<PieceEdge> linked(const CutMesh& mesh, const std::vector<PieceEdge>& border, VertexId start) {
   std::map<VertexId, PieceEdge> leaving;
   for (const PieceEdge& e : border) leaving[mesh.weld[e.from.index()]] = e;
@@ -169,6 +169,54 @@ std::vector<ViewBorderPoint> view_border(const ProjectedScene& scene, const Imag
   }
   drop_repeated(border, [](const ViewBorderPoint& p) { return p.border.vertex; });
   return border;
+}
+
+namespace {
+
+// Returns the corners of the rounded polygon at which the facet itself turns. Rounding may bend a straight side, within
+// the grid.
+std::vector<ImagePoint> turning_points(const ProjectedScene& scene, FacetId facet) {
+  const CutMesh& mesh = scene.mesh();
+  const auto polygon = scene.polygon(facet);
+  const auto edges = mesh.edges_of(facet);
+  const std::vector<std::uint32_t> sides = straight_sides(mesh, mesh.corners(facet));
+  const auto side_after = [&](const ClippedCorner& corner) -> std::optional<std::uint32_t> {
+    if (!corner.edge_after.valid()) return std::nullopt;
+    return sides[static_cast<std::size_t>(std::ranges::find(edges, corner.edge_after) - edges.begin())];
+  };
+  std::vector<ImagePoint> points;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const auto side = side_after(polygon[i]);
+    if (side && side == side_after(polygon[i == 0 ? polygon.size() - 1 : i - 1])) continue;
+    const ImagePoint& point = scene.point(polygon[i].point);
+    if (points.empty() || points.back() != point) points.push_back(point);
+  }
+  while (points.size() > 1 && points.front() == points.back()) points.pop_back();
+  return points;
+}
+
+}  // namespace
+
+bool is_proper(const ProjectedScene& scene, FacetId facet) {
+  const CutMesh& mesh = scene.mesh();
+  const Sign turn = scene.facing[facet.index()] == Facing::back ? -1 : 1;
+  const auto polygon = scene.polygon(facet);
+  if (polygon.size() == 3 && mesh.corners(facet).size() == 3) {
+    return orientation(scene.point(polygon[0].point), scene.point(polygon[1].point), scene.point(polygon[2].point)) ==
+           turn;
+  }
+  const std::vector<ImagePoint> p = turning_points(scene, facet);
+  bool turns = false;
+  int descents = 0;  // how often the border begins to run down the sweep order: once around a convex polygon
+  for (std::size_t i = 0; i < p.size() && p.size() > 2; ++i) {
+    const ImagePoint& b = p[(i + 1) % p.size()];
+    const ImagePoint& c = p[(i + 2) % p.size()];
+    const Sign o = orientation(p[i], b, c) * turn;
+    if (o < 0) return false;
+    turns = turns || o > 0;
+    descents += sweeps_before(b, p[i]) && sweeps_before(b, c) ? 1 : 0;
+  }
+  return turns && descents == 1;
 }
 
 }  // namespace sightline::inline reconstruct

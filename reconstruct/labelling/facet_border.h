@@ -15,7 +15,7 @@
 
 namespace sightline::inline reconstruct {
 
-// A point on the border of what is in view of a facet.
+// This point is on the border of what is in view of a facet.
 struct ViewBorderPoint {
   BorderPoint border;
   PointId image;
@@ -29,26 +29,30 @@ class InnerVertices {
   virtual VertexId at(PointId p, std::optional<Point3> position) = 0;
 };
 
-// Per edge of a convex polygon: a number that edges on one straight line share.
+// Returns, per edge of a convex polygon, a number that edges on one straight line share.
 [[nodiscard]] std::vector<std::uint32_t> straight_sides(const CutMesh& mesh, std::span<const VertexId> corners);
 
 [[nodiscard]] std::vector<BorderPoint> facet_border(const CutMesh& mesh, const EdgePoints& edge_points, FacetId facet);
 
-// The border of a facet before it was cut along common lines, with all points that its edges have now.
+// Returns the border of a facet before it was cut along common lines, with all points that its edges have now.
 [[nodiscard]] std::vector<BorderPoint> whole_border(const CutMesh& mesh, const EdgePoints& edge_points, WholeId whole);
 
-// With splits_of_view_border: the sweep's splits along the view volume's border are points, too.
+// With splits_of_view_border, the sweep's splits along the view volume's border are points, too.
 [[nodiscard]] std::vector<ViewBorderPoint> view_border(const ProjectedScene& scene, const ImagePoints& points,
                                                        const EdgePoints& edge_points, FacetId facet,
                                                        std::span<const EdgeSplit> splits_of_view_border,
                                                        InnerVertices& inner);
 
-// The vertex of a corner of a clipped polygon.
+// Returns the vertex of a corner of a clipped polygon.
 [[nodiscard]] VertexId corner_vertex(const ProjectedScene& scene, const ClippedCorner& corner,
                                      const EdgePoints& edge_points, InnerVertices& inner);
 
-// The splits of the line from corner i to the next along the view volume's border, in that direction.
+// Returns the splits of the line from corner i to the next along the view volume's border, in that direction.
 [[nodiscard]] std::vector<PointId> splits_between(const ProjectedScene& scene, const ImagePoints& points, FacetId facet,
                                                   std::size_t i, std::span<const EdgeSplit> splits_of_view_border);
+
+// Returns whether the rounded polygon of a facet in view is still convex and turns as the facet does. Where it does
+// not, the facet is narrower than the grid. Straight sides that rounding bends, within the grid, do not count.
+[[nodiscard]] bool is_proper(const ProjectedScene& scene, FacetId facet);
 
 }  // namespace sightline::inline reconstruct

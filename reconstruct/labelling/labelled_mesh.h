@@ -10,8 +10,8 @@
 //     with two triangles each; closed in, closed out;
 //   - skipped faces have no triangle.
 // Complexity: O(n log n) plus a constrained Delaunay triangulation per face that is seen in part.
-// Errors: InternalError; in float and double ArithmeticError instead, also where `validate` complains of the segments or
-// polygons.
+// Errors: InternalError; in float and double ArithmeticError instead, also where `validate` complains of the segments
+// or polygons.
 // Source: Koucky 2014, 3.8 (retriangulation, no points that only a hidden part needs).
 #pragma once
 
@@ -46,8 +46,9 @@ struct LabelledTriangle {
   std::uint64_t reflecting = 0;  // bit p: it mirrors panel p into the camera
 };
 
-// Per panel, the borders of what reflects it, above resolution (reflect/reflections.h): directed pieces within visible
-// polygons, each on a surface that its `facet` names. Pieces meet in end points only. At most 64 panels.
+// Each panel has the borders of what reflects it, above resolution (reflect/reflections.h): directed pieces within
+// visible polygons, each on a surface that its `facet` names. Pieces meet in end points only. There are at most 64
+// panels.
 using PanelBorders = std::vector<std::vector<VisibleSegment>>;
 constexpr std::size_t most_panels = 64;
 
@@ -59,7 +60,7 @@ struct LabelledMesh {
 [[nodiscard]] LabelledMesh label_mesh(const ProjectedScene& scene, const VisibleSegments& segments,
                                       const VisiblePolygons& polygons, const PanelBorders& panels = {});
 
-// What of the above does not hold, one line each, with the ids; empty for a valid value.
+// Returns what of the above does not hold, one line each, with the ids; nothing for a valid value.
 [[nodiscard]] std::vector<std::string> validate(const LabelledMesh& labelled, const ProjectedScene& scene);
 
 }  // namespace sightline::inline reconstruct

@@ -13,15 +13,15 @@ double signed_quotient(const Wide512& numerator, const Wide512& denominator) {
                          : rounded_quotient(numerator, denominator);
 }
 
-// Twice the area of a, b, p, times p's denominator.
+// Returns twice the area of a, b, p, times p's denominator.
 Wide512 scaled_area(const ImagePoint& a, const ImagePoint& b, const ExactPoint& p) {
   const Wide512 constant = Wide512(static_cast<Int128>(a.x) * b.y - static_cast<Int128>(a.y) * b.x);
   return p.x * Wide512(a.y - b.y) + p.y * Wide512(b.x - a.x) + p.denominator * constant;
 }
 
-// Weights W in units of about the smallest of them: ratios are all that counts, and of denormal numbers products would
-// vanish and quotients overflow. A weight that was rounded to 0 is taken as the smallest double; one that is 2^1000
-// times another is cut off there.
+// Returns weights W in units of about the smallest of them: ratios are all that counts, and of denormal numbers
+// products would vanish and quotients overflow. A weight that was rounded to 0 is taken as the smallest double; one
+// that is 2^1000 times another is cut off there.
 template <std::size_t N>
 std::array<double, N> relative_weights(std::array<double, N> weights) {
   const double least = *std::min_element(weights.begin(), weights.end());
@@ -30,7 +30,7 @@ std::array<double, N> relative_weights(std::array<double, N> weights) {
   return weights;
 }
 
-// A corner in space.
+// This is a corner in space.
 struct LiftedCorner {
   Point3 position;
   double weight = 1;  // perspective weight, W
@@ -40,14 +40,14 @@ LiftedCorner lifted(const ProjectedScene& scene, const ClippedCorner& corner) {
   return {position_of(scene, corner), weight_of(scene, corner)};
 }
 
-// The point at image fraction s between a and b: perspective weights turn it into the fraction on the edge.
+// Returns the point at image fraction s between a and b: perspective weights turn it into the fraction on the edge.
 Point3 between(const LiftedCorner& a, const LiftedCorner& b, double s) {
   const auto [w_a, w_b] = relative_weights(std::array{a.weight, b.weight});
   const double t = s * w_a / ((1 - s) * w_b + s * w_a);
   return a.position + t * (b.position - a.position);
 }
 
-// Barycentric in the image, divided by W, is barycentric on the facet up to a factor.
+// What is barycentric in the image is, divided by W, barycentric on the facet up to a factor.
 Point3 in_triangle(const LiftedCorner& a, const LiftedCorner& b, const LiftedCorner& c,
                    const std::array<Wide512, 3>& areas) {
   const auto [w_a, w_b, w_c] = relative_weights(std::array{a.weight, b.weight, c.weight});
@@ -75,7 +75,7 @@ Point3 lift_on_edge(const ProjectedScene& scene, const ImagePoints& points, cons
   return between(lifted(scene, a), lifted(scene, b), s);
 }
 
-// The polygon as a fan of triangles around its first corner.
+// The polygon is taken as a fan of triangles around its first corner.
 std::optional<Point3> lift_on_facet(const ProjectedScene& scene, const ImagePoints& points, FacetId facet, PointId p) {
   const auto polygon = scene.polygon(facet);
   const ExactPoint exact = points.exact(p);

@@ -16,12 +16,12 @@
 
 namespace sightline::inline reconstruct {
 
-// p lies strictly between the images of a and b, on the edge that joins them. Which of its ends is a matters for the last
-// bits: the mesh edge says it, not the face.
+// p lies strictly between the images of a and b, on the edge that joins them. Which of its ends is a matters for the
+// last bits: the mesh edge says it, not the face.
 [[nodiscard]] Point3 lift_on_edge(const ProjectedScene& scene, const ImagePoints& points, const ClippedCorner& a,
                                   const ClippedCorner& b, PointId p);
 
-// Empty where p is not in the facet's rounded polygon.
+// The result is empty where p is not in the facet's rounded polygon.
 [[nodiscard]] std::optional<Point3> lift_on_facet(const ProjectedScene& scene, const ImagePoints& points, FacetId facet,
                                                   PointId p);
 

@@ -1,12 +1,17 @@
-// The vertices of the labelled surface while it grows: those that all parts of it know, and those that one part adds.
+// The new vertices of the labelled surface: those that one part of it adds, and among them those inside one surface.
 //
-// A part's own vertices get the ids behind the common ones; where parts are put together they move up (labelled_mesh.cpp).
+// In:  positions; points of the image on a surface.
+// Out: vertices of the labelled surface. A part's own vertices get the ids behind the common ones; where parts are put
+//      together they move up (labelled_mesh.cpp). A point gets one vertex, lifted where the caller does not know the
+//      position.
+// Errors: InternalError for a point that is on none of the surface's facets.
 #pragma once
 
+#include <map>
+#include <optional>
 #include <vector>
 
-#include "geometry/numbers/ids.h"
-#include "geometry/numbers/vector3.h"
+#include "reconstruct/labelling/facet_border.h"
 
 namespace sightline::inline reconstruct {
 
@@ -26,6 +31,28 @@ class NewVertices {
  private:
   const std::vector<Point3>& common_;
   std::vector<Point3> added_;
+};
+
+// These are the new vertices inside one surface after another: in its facets' interior, or where the view volume's
+// border cuts them.
+class SurfaceVertices : public InnerVertices {
+ public:
+  // New vertices are added to `vertices`.
+  SurfaceVertices(const ProjectedScene& scene, const ImagePoints& points, NewVertices& vertices)
+      : mesh_(scene.mesh()), scene_(scene), points_(points), vertices_(vertices) {}
+
+  void begin(FacetId surface);
+  VertexId at(PointId p, std::optional<Point3> position) override;
+
+ private:
+  [[nodiscard]] Point3 lift(PointId p) const;
+
+  const CutMesh& mesh_;
+  const ProjectedScene& scene_;
+  const ImagePoints& points_;
+  NewVertices& vertices_;
+  FacetId surface_;
+  std::map<PointId, VertexId> known_;
 };
 
 }  // namespace sightline::inline reconstruct

@@ -9,7 +9,7 @@
 namespace sightline::inline reconstruct {
 namespace {
 
-// A corner of the facet or of its clipped polygon, in a plane of input coordinates: (x / one, y / one).
+// This is a corner of the facet or of its clipped polygon, in a plane of input coordinates: (x / one, y / one).
 struct FlatPoint {
   BigInteger x, y, one;
   VertexId vertex;
@@ -22,7 +22,7 @@ Sign sweep_compare(const FlatPoint& a, const FlatPoint& b) {
   return y != 0 ? y : sign_of(BigInteger(a.x * b.one - b.x * a.one));
 }
 
-// The plane without one axis, mirrored where the facet would be clockwise in it.
+// The plane is space without one axis, mirrored where the facet would be clockwise in it.
 class FlatPoints : public PlanarPoints {
  public:
   FlatPoints(const CutMesh& mesh, FacetId facet) {

@@ -5,9 +5,8 @@
 
 #include "geometry/mesh/facet_plane.h"
 #include "reconstruct/labelling/facet_border.h"
+#include "reconstruct/labelling/new_vertices.h"
 #include "reconstruct/labelling/outside_pieces.h"
-#include "reconstruct/labelling/rounded_facet.h"
-#include "reconstruct/labelling/surface_vertices.h"
 #include "reconstruct/triangulation/constrained_delaunay.h"
 
 namespace sightline::inline reconstruct {
@@ -28,7 +27,7 @@ class SurfaceLabeller {
         vertices_(from.vertices),
         inner_(scene_, points_, vertices_) {}
 
-  // Surfaces that begin in the range.
+  // Labels the surfaces that begin in the range.
   LabelledPart run(std::size_t begin, std::size_t end) {
     FacetId surface = surface_of(mesh_, FacetId(begin));
     if (surface.index() < begin) surface = end_of_surface(mesh_, surface);
@@ -57,12 +56,12 @@ class SurfaceLabeller {
     for (std::size_t f = begin; f < end; f = end_of_whole(f)) add_uniform_whole(f, seen);
   }
 
-  // One past the last piece of the whole that a facet was cut from.
+  // Returns one past the last piece of the whole that a facet was cut from.
   [[nodiscard]] std::size_t end_of_whole(std::size_t f) const {
     return mesh_.is_cut() ? mesh_.cuts.first_facet[mesh_.cuts.whole_of[f].index() + 1].index() : f + 1;
   }
 
-  // Without the lines along which it was cut where no piece needs them.
+  // The whole is added without the lines along which it was cut where no piece needs them.
   void add_uniform_whole(std::size_t first, bool seen) {
     const std::size_t end = end_of_whole(first);
     bool alike = true;
@@ -80,14 +79,15 @@ class SurfaceLabeller {
 
   [[nodiscard]] bool is_in_view(std::size_t f) const { return scene_.status[f] == Status::in_view; }
 
-  // Of a facet whose part in view is all seen or not at all.
+  // Returns the label of a facet whose part in view is all seen or not at all.
   [[nodiscard]] Label uniform_label(FacetId f, bool seen) const {
     if (scene_.facing[f.index()] != Facing::front) return Label::back_facing;
     if (seen) return Label::visible;
     return scene_.status[f.index()] == Status::in_view ? Label::hidden : Label::out_of_view;
   }
 
-  // Of the surface's area in view. Precondition: find_visible_segments_of was called for it last.
+  // Returns whether most of the surface's area in view is visible. Precondition: find_visible_segments_of was called
+  // for it last.
   [[nodiscard]] bool is_mostly_visible(std::size_t begin, std::size_t end) const {
     double visible = 0;
     for (std::size_t p = next_polygon_; p > 0 && polygons_.polygons[p - 1].facet.index() == begin; --p) {
@@ -104,7 +104,7 @@ class SurfaceLabeller {
     return visible > std::ldexp(in_view / 4, -2 * scene_.grid_bits);
   }
 
-  // Of the polygons above resolution. Polygons are sorted by their surface.
+  // Only polygons above resolution count. Polygons are sorted by their surface.
   void find_visible_segments_of(FacetId surface) {
     visible_.clear();
     const auto& all = polygons_.polygons;
@@ -133,7 +133,7 @@ class SurfaceLabeller {
     return std::any_of(polygon.begin(), polygon.end(), [](const ClippedCorner& c) { return !c.edge_after.valid(); });
   }
 
-  // A facet whose part in view is all visible or not at all.
+  // Adds a facet whose part in view is all visible or not at all.
   void add_uniform(FacetId f, bool seen) {
     const bool front = scene_.facing[f.index()] == Facing::front;
     const bool in_view = scene_.status[f.index()] == Status::in_view;
@@ -149,8 +149,8 @@ class SurfaceLabeller {
     add_outside(f, {});
   }
 
-  // False, and nothing added, where the rounded border of a surface crosses itself: parts of it are narrower than the
-  // grid, and its image is no polygon. Such a surface gets one label, that of most of its area.
+  // Returns false, and adds nothing, where the rounded border of a surface crosses itself: parts of it are narrower
+  // than the grid, and its image is no polygon. Such a surface gets one label, that of most of its area.
   bool add_partly_visible(std::size_t begin, std::size_t end, const std::vector<SegmentId>& visible,
                           std::span<const ReflectingSegment> reflecting) {
     const bool front = scene_.facing[begin] == Facing::front;
@@ -243,7 +243,7 @@ class SurfaceLabeller {
   std::size_t next_polygon_ = 0;
 };
 
-// The mesh's, and room for the points on its edges.
+// Returns the mesh's vertices, with room for the points on its edges.
 std::vector<Point3> vertices_with_room(const ProjectedScene& scene, const VisibleSegments& segments) {
   const CutMesh& mesh = scene.mesh();
   std::vector<Point3> vertices;

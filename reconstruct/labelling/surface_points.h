@@ -1,8 +1,9 @@
 // The points of one surface, as the constrained Delaunay triangulation wants them.
 //
 // In:  image points with the vertices that lie there, and the surface's plane.
-// Out: PlanarPoints in sweep order. Their orientation is that of the image, exact. Which of two triangulations is better
-//      is judged in the surface's own plane, by an exact in-circle test on rounded coordinates: it only chooses shapes.
+// Out: PlanarPoints in sweep order. Their orientation is that of the image, exact. Which of two triangulations is
+//      better is judged in the surface's own plane, by an exact in-circle test on rounded coordinates: it only chooses
+//      shapes.
 // Holds (after sort): points are distinct; of several vertices at one point, the lowest stands for all.
 #pragma once
 
@@ -22,14 +23,14 @@ class SurfacePoints : public PlanarPoints {
     Point2 in_plane;
   };
 
-  // mirrored: the surface is seen from behind, so that it turns the other way in the image than in its plane.
+  // With `mirrored` the surface is seen from behind, so that it turns the other way in the image than in its plane.
   SurfacePoints(const ImagePoints& image, bool mirrored) : image_(image), turn_(mirrored ? -1 : 1) {}
 
   void add(PointId point, VertexId vertex) { entries_.push_back({point, vertex, {}}); }
   void sort();
 
-  // Orthonormal coordinates in the plane of a, b, c, in which these turn counter-clockwise. Without them, or where they
-  // are not finite, no triangulation is better than another.
+  // Gives the points orthonormal coordinates in the plane of a, b, c, in which these turn counter-clockwise. Without
+  // them, or where they are not finite, no triangulation is better than another.
   void place_in_plane(const Point3& a, const Point3& b, const Point3& c, const NewVertices& vertices);
 
   [[nodiscard]] bool contains(PointId p) const;

@@ -1,4 +1,4 @@
-// Ids, labels and surfaces; face_areas.h has areas and orientation, conformity.h the rest.
+// Ids, labels and surfaces are checked here; face_areas.h has areas and orientation, conformity.h the rest.
 #include <algorithm>
 #include <array>
 #include <bit>

@@ -9,8 +9,8 @@
 namespace sightline::inline reconstruct {
 namespace {
 
-// A directed line between two points, and what lies to its left: the surface (kind 0), a visible part of it (1), or what
-// reflects a panel (2 and on).
+// A line is directed and runs between two points; it knows what lies to its left: the surface (kind 0), a visible part
+// of it (1), or what reflects a panel (2 and on).
 struct Line {
   PlanarPointId from;
   PlanarPointId to;
@@ -51,7 +51,7 @@ class VisiblePieces {
   }
 
  private:
-  // A line between two points of a facet's border.
+  // This line runs between two points of a facet's border.
   struct BorderLine {
     PointId from_point;
     PointId to_point;
@@ -61,7 +61,8 @@ class VisiblePieces {
 
   [[nodiscard]] VertexId welded(VertexId v) const { return v.index() < mesh_.weld.size() ? mesh_.weld[v.index()] : v; }
 
-  // The lines of the facets' borders, without those that run both ways: there two facets of the surface meet.
+  // The lines of the facets' borders are collected without those that run both ways: there two facets of the surface
+  // meet.
   void collect_border() {
     using Ends = std::array<VertexId, 2>;
     const auto ends = [this](const BorderLine& line) { return Ends{welded(line.from), welded(line.to)}; };
@@ -116,7 +117,8 @@ class VisiblePieces {
     friend auto operator<=>(const KnownVertex&, const KnownVertex&) = default;
   };
 
-  // Of the lines between the surface's facets, too: a common line has one vertex at a point for both faces on it.
+  // Returns the vertices on the lines between the surface's facets, too: a common line has one vertex at a point for
+  // both faces on it.
   [[nodiscard]] std::vector<KnownVertex> vertices_on_lines() const {
     std::vector<KnownVertex> known;
     for (const auto& border : surface_.borders) {
@@ -140,8 +142,8 @@ class VisiblePieces {
     }
   }
 
-  // Cut where points of the border lie on it: those of its own edge and, in a face with several facets or one that
-  // reflects, any.
+  // A segment is cut where points of the border lie on it: those of its own edge and, in a face with several facets or
+  // one that reflects, any.
   void add_segment(const VisibleSegment& segment, std::size_t kind) {
     std::vector<PointId> cuts = points_on(segment);
     std::sort(cuts.begin(), cuts.end(), [&](PointId a, PointId b) { return image_.sweeps_before(a, b); });
@@ -203,8 +205,9 @@ class VisiblePieces {
     return result;
   }
 
-  // A region that only borders of reflecting parts bound does not show by them what else it lies in. So from the hull
-  // inwards, region by region: crossing a line to its left is entering what lies to its left.
+  // A region that only borders of reflecting parts bound does not show by them what else it lies in. So regions are
+  // classified from the hull inwards, one after the other: crossing a line to its left is entering what lies to its
+  // left.
   void classify_reflecting(const HalfEdgeTriangulation& triangulation, const Regions& regions,
                            std::vector<Region>& result) const {
     const std::vector<HalfEdgeId> entries = entries_from_hull(triangulation, regions);
@@ -227,7 +230,7 @@ class VisiblePieces {
     }
   }
 
-  // Per region one half-edge of it that leads in from the hull, or from a region before.
+  // Returns, per region, one half-edge of it that leads in from the hull, or from a region before.
   [[nodiscard]] static std::vector<HalfEdgeId> entries_from_hull(const HalfEdgeTriangulation& triangulation,
                                                                  const Regions& regions) {
     std::vector<HalfEdgeId> entries;

@@ -30,7 +30,7 @@ struct Piece {
   std::uint64_t reflecting = 0;  // bit per panel
 };
 
-// A piece of the border of what reflects a panel, within a visible polygon.
+// This is a piece of the border of what reflects a panel, within a visible polygon.
 struct ReflectingSegment {
   VisibleSegment segment;
   std::size_t panel = 0;
@@ -44,7 +44,7 @@ struct SurfaceInView {
   std::span<const ReflectingSegment> reflecting;
 };
 
-// vertices: of the labelled surface.
+// `vertices` are those of the labelled surface.
 [[nodiscard]] std::vector<Piece> visible_pieces(const ProjectedScene& scene, const ImagePoints& points,
                                                 const VisibleSegments& segments, const SurfaceInView& surface,
                                                 const EdgePoints& edge_points, const NewVertices& vertices,

@@ -8,7 +8,7 @@
 namespace sightline::inline reconstruct {
 namespace {
 
-// A segment seen from one of its ends: `direction` leads away from that end, along the segment's edge.
+// A spoke is a segment seen from one of its ends: `direction` leads away from that end, along the segment's edge.
 struct Spoke {
   PointId point;
   ImagePoint direction;
@@ -20,14 +20,14 @@ Int128 cross(const ImagePoint& a, const ImagePoint& b) {
   return static_cast<Int128>(a.x) * b.y - static_cast<Int128>(a.y) * b.x;
 }
 
-// Counter-clockwise from the positive x axis.
+// Directions are sorted counter-clockwise from the positive x axis.
 bool angle_before(const ImagePoint& a, const ImagePoint& b) {
   const auto lower_half = [](const ImagePoint& d) { return d.y < 0 || (d.y == 0 && d.x < 0); };
   if (lower_half(a) != lower_half(b)) return lower_half(b);
   return cross(a, b) > 0;
 }
 
-// From the segment's start to its end, along its edge: exact, whatever points the ends are.
+// Returns the direction from the segment's start to its end, along its edge: it is exact, whatever points the ends are.
 ImagePoint direction_of(const ProjectedScene& scene, const VisibleSegment& segment, const SweepOrder& order) {
   const SceneEdge& e = scene.edge(segment.edge);
   const ImagePoint& top = scene.point(e.top);

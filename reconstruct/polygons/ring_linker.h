@@ -33,8 +33,8 @@ struct Walk {
   [[nodiscard]] bool has_outer() const { return !rings.empty() && rings.front().outer; }
 };
 
-// A few segments that are one ring which visits no point twice, as most surfaces have: in ring order from the first point
-// in sweep order on; empty where they are not.
+// A few segments may be one ring which visits no point twice, as most surfaces have. They are in ring order from the
+// first point in sweep order on; the ring is empty where they are not one.
 using SmallRing = boost::container::small_vector<SegmentId, 8>;
 struct SingleRing {
   SmallRing segments;

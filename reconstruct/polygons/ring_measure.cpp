@@ -6,7 +6,7 @@ namespace sightline::inline reconstruct {
 namespace {
 
 constexpr double difference_error = 2 * crossing_error + 0x1p-11;
-// What the bounds' own rounding may take away.
+// This is what the bounds' own rounding may take away.
 constexpr double bound_margin = 1 + 0x1p-20;
 
 }  // namespace
@@ -48,7 +48,7 @@ RingMeasure measure(const ImagePoints& points, const VisibleSegments& segments, 
   return m;
 }
 
-// By halves, so that most of the integers stay short.
+// The sum is taken by halves, so that most of the integers stay short.
 ExactArea exact_twice_area(const ImagePoints& points, const VisibleSegments& segments,
                            std::span<const SegmentId> rings) {
   if (rings.empty()) return {};

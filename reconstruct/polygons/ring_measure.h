@@ -20,7 +20,7 @@ struct RingMeasure {
   double twice_area = 0;  // counter-clockwise positive
   double perimeter = 0;
 
-  // The sums that bound the errors, over all terms.
+  // These sums, over all terms, bound the errors.
   double differences = 0;  // |ux| + |uy| + |vx| + |vy|
   double products = 0;     // |ux * vy| + |uy * vx|
   std::size_t terms = 0;
@@ -33,7 +33,7 @@ struct RingMeasure {
 [[nodiscard]] RingMeasure measure(const ImagePoints& points, const VisibleSegments& segments,
                                   std::span<const SegmentId> ring);
 
-// Twice the area, not reduced; the denominator is positive.
+// This is twice the area, not reduced; the denominator is positive.
 struct ExactArea {
   BigInteger numerator = 0;
   BigInteger denominator = 1;
@@ -41,7 +41,7 @@ struct ExactArea {
 [[nodiscard]] ExactArea exact_twice_area(const ImagePoints& points, const VisibleSegments& segments,
                                          std::span<const SegmentId> rings);
 
-// The sign of a ring's area, exactly.
+// Returns the sign of a ring's area, exactly.
 [[nodiscard]] Sign area_sign(const ImagePoints& points, const VisibleSegments& segments,
                              std::span<const SegmentId> ring);
 

@@ -48,7 +48,7 @@ class SurfaceLayout {
     return sides_.before(sides_.upper(segment(later)), sides_.lower(segment(earlier)));
   }
 
-  // Where the sweep line comes from the left to s, just below its upper end.
+  // Returns the winding number where the sweep line comes from the left to s, just below its upper end.
   [[nodiscard]] int winding_left_of(SegmentId s) const {
     const PointId p = sides_.upper(segment(s));
     const SweptLine along = sides_.line(segment(s).edge);

@@ -21,7 +21,7 @@ namespace sightline::inline reconstruct {
 void check_surface_layout(const EdgeSides& sides, const VisibleSegments& segments, std::vector<SegmentId> of_surface,
                           std::vector<std::string>& messages);
 
-// Whether two segments have more in common than end points.
+// Returns whether two segments have more in common than end points.
 [[nodiscard]] bool meet_inside(const EdgeSides& sides, const VisibleSegment& s, const VisibleSegment& t);
 
 }  // namespace sightline::inline reconstruct

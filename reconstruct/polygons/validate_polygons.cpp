@@ -1,4 +1,4 @@
-// Requires a valid mesh and scene, and segments with validate(segments, scene) empty.
+// Precondition: mesh and scene are valid, and validate(segments, scene) is empty.
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -15,15 +15,15 @@ namespace {
 
 using Messages = std::vector<std::string>;
 
-// How many polygons have their area checked against the exact one, and how many ring segments are looked at to place
-// the holes of one polygon: what is beyond is checked for an even choice.
+// These say how many polygons have their area checked against the exact one, and how many ring segments are looked at
+// to place the holes of one polygon: what is beyond is checked for an even choice.
 constexpr std::size_t exact_areas = 1024;
 constexpr std::size_t hole_budget = std::size_t{1} << 24U;
 
 std::string ring_name(std::size_t r) { return "ring " + std::to_string(r); }
 std::string polygon_name(std::size_t p) { return "polygon " + std::to_string(p); }
 
-// Sizes and ranges: what the other checks need in order to look at anything.
+// Sizes and ranges come first: the other checks need them in order to look at anything.
 Messages check_arrays(const VisiblePolygons& polygons, const CutMesh& mesh, const VisibleSegments& segments) {
   Messages messages;
   const auto require = [&](bool holds, const char* what) {
@@ -156,7 +156,8 @@ class PolygonCheck {
     }
   }
 
-  // Whether p lies on the ring or inside it: the sweep line from the left to p crosses it an odd number of times.
+  // Returns whether p lies on the ring or inside it: the sweep line from the left to p crosses it an odd number of
+  // times.
   [[nodiscard]] bool covers(std::span<const SegmentId> ring, PointId p) const {
     bool inside = false;
     for (const SegmentId id : ring) {
@@ -214,7 +215,7 @@ class PolygonCheck {
     check_folds();
   }
 
-  // In large surfaces not all pairs are compared: here, those that follow each other on a ring.
+  // In large surfaces not all pairs are compared: here only those are that follow each other on a ring.
   void check_folds() {
     for (std::size_t r = 0; r < polygons_.ring_count(); ++r) {
       const auto ring = polygons_.ring(r);

@@ -14,7 +14,7 @@
 namespace sightline::inline reconstruct {
 namespace {
 
-// The polygons of one surface: walks with an outer ring, and the holes that threads lead to them.
+// The polygons of one surface are the walks with an outer ring, and the holes that threads lead to them.
 class SurfacePolygons {
  public:
   SurfacePolygons(const ProjectedScene& scene, const VisibleSegments& segments, std::span<const SegmentId> ids)
@@ -27,7 +27,7 @@ class SurfacePolygons {
     std::sort(walk_of_.begin(), walk_of_.end());
   }
 
-  // Per walk with an outer ring, in sweep order of its top: all its rings.
+  // Returns, per walk with an outer ring, all its rings; walks are in sweep order of their tops.
   std::vector<std::vector<LinkedRing>> polygons(std::span<const Thread> threads, const SweepOrder& order) {
     std::vector<std::size_t> polygon_walks;
     for (std::size_t w = 0; w < walks_.size(); ++w) {
@@ -44,7 +44,7 @@ class SurfacePolygons {
   }
 
  private:
-  // Fang 5.3.1: a thread may lead to another hole, which in turn has a thread.
+  // A thread may lead to another hole, which in turn has a thread (Fang 5.3.1).
   void give_holes(std::size_t hole, std::span<const Thread> threads, const SweepOrder& order) {
     std::size_t w = hole;
     for (std::size_t steps = 0; !walks_[w].has_outer(); ++steps) {
@@ -71,7 +71,7 @@ class SurfacePolygons {
   std::vector<std::pair<SegmentId, std::size_t>> walk_of_;
 };
 
-// Per facet that names a surface the surface's segments, in their order.
+// Returns, per facet that names a surface, the surface's segments, in their order.
 Grouping<SegmentId> segments_by_surface(const CutMesh& mesh, const VisibleSegments& segments) {
   Grouping<SegmentId> of_surface(mesh.facet_count(), [&](const auto& visit) {
     parallel_for_each(segments.segments.size(), [&](std::size_t s) {
@@ -82,7 +82,7 @@ Grouping<SegmentId> segments_by_surface(const CutMesh& mesh, const VisibleSegmen
   return of_surface;
 }
 
-// What all surfaces are reconstructed from.
+// All surfaces are reconstructed from these.
 struct Sources {
   Sources(const ProjectedScene& s, const VisibleSegments& v)
       : mesh(s.mesh()),
@@ -106,7 +106,7 @@ struct Sources {
   std::vector<Thread> threads;  // by surface; those of one surface stay in sweep order
 };
 
-// The polygons of some of the surfaces, one after the other.
+// This reconstructs the polygons of some of the surfaces, one after the other.
 class Reconstruction {
  public:
   explicit Reconstruction(const Sources& from) : from_(from) {}
@@ -154,7 +154,7 @@ class Reconstruction {
     result_.ring_begin.push_back(static_cast<std::uint32_t>(result_.ring_segments.size()));
   }
 
-  // Of the rings from first_ring on.
+  // The polygon has the rings from first_ring on.
   void finish_polygon(FacetId surface, std::uint32_t first_ring, const RingMeasure& total) {
     VisiblePolygon polygon;
     polygon.facet = surface;

@@ -7,7 +7,7 @@
 //   - every segment is in exactly one ring;
 //   - the polygons of one face do not overlap; those of a face whose corners are not in one plane stay within one
 //     facet each. A polygon with 2 * area / perimeter below one grid spacing is below resolution: it is listed, but
-//     its face is not called visible for it (DESIGN.md section 3).
+//     its face is not called visible for it (README.md, "How exact").
 // Complexity: O(m log m) for m segments.
 // Errors: InternalError; in float and double (scene.arithmetic) ArithmeticError instead.
 // Source: Fang 1993, section 5.3.1, "Polygon Reconstruction".
@@ -51,11 +51,11 @@ struct VisiblePolygons {
 
 [[nodiscard]] VisiblePolygons reconstruct_polygons(const ProjectedScene& scene, const VisibleSegments& segments);
 
-// The exact area of a polygon (outer ring minus holes), in grid units squared.
+// Returns the exact area of a polygon (outer ring minus holes), in grid units squared.
 [[nodiscard]] Rational exact_area(const ProjectedScene& scene, const VisibleSegments& segments,
                                   const VisiblePolygons& polygons, std::size_t polygon);
 
-// What of the above does not hold, one line each, with the ids; empty for a valid value.
+// Returns what of the above does not hold, one line each, with the ids; nothing for a valid value.
 [[nodiscard]] std::vector<std::string> validate(const VisiblePolygons& polygons, const ProjectedScene& scene,
                                                 const VisibleSegments& segments);
 

@@ -15,8 +15,8 @@ namespace {
                            std::to_string(q.index()) + " " + cause);
 }
 
-// What a constraint crosses: the triangles, and their outer half-edges to the right of the constraint from its first to
-// its second end, and to the left of it from its second to its first end.
+// The cavity is what a constraint crosses: the triangles, and their outer half-edges to the right of the constraint
+// from its first to its second end, and to the left of it from its second to its first end.
 struct Cavity {
   std::vector<TriangleId> triangles;
   std::vector<HalfEdgeId> right;
@@ -63,7 +63,7 @@ void Construction::cover_hull() {
   for (std::size_t i = line.size() + 1; i < points_.size(); ++i) fan(visible_path(PlanarPointId(i)), PlanarPointId(i));
 }
 
-// The first points, as long as they are collinear, in the direction that has the next point on its left.
+// Returns the first points, as long as they are collinear, in the direction that has the next point on its left.
 std::vector<PlanarPointId> Construction::leading_collinear() const {
   std::vector<PlanarPointId> line;
   for (std::size_t i = 0; i < points_.size(); ++i) {
@@ -75,7 +75,7 @@ std::vector<PlanarPointId> Construction::leading_collinear() const {
   return line;
 }
 
-// The hull vertices joined by the edges that `apex` sees, in the direction that has `apex` on its left.
+// Returns the hull vertices joined by the edges that `apex` sees, in the direction that has `apex` on its left.
 std::vector<PlanarPointId> Construction::visible_path(PlanarPointId apex) const {
   const auto following = [&](PlanarPointId v) { return mesh_.to(mesh_.outgoing[v.index()]); };
   const auto preceding = [&](PlanarPointId v) { return hull_previous_[v.index()]; };
@@ -113,7 +113,7 @@ void Construction::insert(const Constraint& constraint) {
   improve();
 }
 
-// The half-edge through which the segment pq leaves the first triangle that it crosses.
+// Returns the half-edge through which the segment pq leaves the first triangle that it crosses.
 HalfEdgeId Construction::entry(PlanarPointId p, PlanarPointId q) const {
   const HalfEdgeId h = mesh_.find_outgoing(
       p, [&](HalfEdgeId g) { return orient(p, mesh_.to(g), q) > 0 && orient(p, mesh_.apex(g), q) < 0; });

@@ -47,21 +47,22 @@ class PlanarPoints {
 
   [[nodiscard]] virtual std::size_t size() const = 0;
 
-  // +1 where a, b, c turn counter-clockwise, 0 where they are collinear, else -1; exact.
+  // Returns +1 where a, b, c turn counter-clockwise, 0 where they are collinear, else -1; exactly.
   [[nodiscard]] virtual Sign orient(PlanarPointId a, PlanarPointId b, PlanarPointId c) const = 0;
 
-  // Whether the diagonal bd of the quadrilateral abcd is better than ac. Asked of quadrilaterals whose triangles abc
-  // and acd are counter-clockwise by `orient`; a flip is made only where abcd is also strictly convex by `orient`.
+  // Returns whether the diagonal bd of the quadrilateral abcd is better than ac. It is asked of quadrilaterals whose
+  // triangles abc and acd are counter-clockwise by `orient`; a flip is made only where abcd is also strictly convex by
+  // `orient`.
   //
-  // Contract: true only where the flip lowers some number that the triangulation determines. The exact sign > 0 of the
-  // in-circle determinant of a, b, c, d does, in ANY fixed coordinates, which need not agree with `orient`:
-  // sum over the triangles, as they lie in those coordinates, their signed area times the mean of x^2 + y^2 at the
-  // three corners. That is the signed volume below the surface lifted to the paraboloid; a flip changes it by the
-  // signed volume of the lifted tetrahedron abcd, which is the in-circle determinant over six, whatever the shape of
-  // abcd there. (A test that asks in addition for strict convexity in those coordinates is narrower, so it holds the
+  // It is true only where the flip lowers some number that the triangulation determines. The exact sign > 0 of the
+  // in-circle determinant of a, b, c, d does, in ANY fixed coordinates, which need not agree with `orient`. The number
+  // is the sum, over the triangles as they lie in those coordinates, of their signed area times the mean of x^2 + y^2
+  // at the three corners. That is the signed volume below the surface lifted to the paraboloid; a flip changes it by
+  // the signed volume of the lifted tetrahedron abcd, which is the in-circle determinant over six, whatever the shape
+  // of abcd there. (A test that asks in addition for strict convexity in those coordinates is narrower, so it holds the
   // contract too, and keeps the flips from turning triangles over there.)
   //
-  // The default never flips: a constrained triangulation, not a Delaunay one.
+  // The default never flips: that makes a constrained triangulation, not a Delaunay one.
   [[nodiscard]] virtual bool flip_improves(PlanarPointId /*a*/, PlanarPointId /*b*/, PlanarPointId /*c*/,
                                            PlanarPointId /*d*/) const {
     return false;
@@ -78,13 +79,13 @@ using Constraint = std::array<PlanarPointId, 2>;
 [[nodiscard]] HalfEdgeTriangulation constrained_delaunay(const PlanarPoints& points,
                                                          std::span<const Constraint> constraints);
 
-// Whether h is neither constrained nor on the hull, its two triangles form a strictly convex quadrilateral, and the
-// other diagonal of it is better.
+// Returns whether h is neither constrained nor on the hull, its two triangles form a strictly convex quadrilateral, and
+// the other diagonal of it is better.
 [[nodiscard]] bool is_improvable(const HalfEdgeTriangulation& triangulation, const PlanarPoints& points, HalfEdgeId h);
 
-// What of the above does not hold, one line each, with the ids; empty for a valid triangulation. That the hull is
-// covered once is known from counting: twins match, the boundary is one convex polygon that turns once, every point is
-// a corner, and there are 2 n - 2 - h triangles for h boundary edges. O(n log n).
+// Returns what of the above does not hold, one line each, with the ids; nothing for a valid triangulation. That the
+// hull is covered once is known from counting: twins match, the boundary is one convex polygon that turns once, every
+// point is a corner, and there are 2 n - 2 - h triangles for h boundary edges. It takes O(n log n).
 [[nodiscard]] std::vector<std::string> validate(const HalfEdgeTriangulation& triangulation, const PlanarPoints& points,
                                                 std::span<const Constraint> constraints);
 

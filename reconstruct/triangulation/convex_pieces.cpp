@@ -5,8 +5,8 @@
 namespace sightline::inline reconstruct {
 namespace {
 
-// Cuts ears off until a triangle is left. An ear may be cut where its two lines are on different sides, and what is
-// left is not all on one side.
+// This cuts ears off until a triangle is left. An ear may be cut where its two lines are on different sides, and what
+// is left is not all on one side.
 class EarCutter {
  public:
   explicit EarCutter(std::span<const BorderPoint> border) : points_(border.begin(), border.end()) {

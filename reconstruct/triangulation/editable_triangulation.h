@@ -34,11 +34,12 @@ struct EditableTriangulation : HalfEdgeTriangulation {
 
   void constrain(HalfEdgeId h);
 
-  // The first half-edge from p, in counter-clockwise order from outgoing[p], that is wanted; invalid if none is.
+  // Returns the first half-edge from p, in counter-clockwise order from outgoing[p], that is wanted; invalid if none
+  // is.
   template <class Wanted>
   [[nodiscard]] HalfEdgeId find_outgoing(PlanarPointId p, Wanted wanted) const;
 
-  // The half-edge from p to q; from q to p where that is on the hull; invalid where pq is no edge.
+  // Returns the half-edge from p to q; from q to p where that is on the hull; invalid where pq is no edge.
   [[nodiscard]] HalfEdgeId edge_between(PlanarPointId p, PlanarPointId q) const;
 };
 

@@ -1,4 +1,4 @@
-// A triangulation of points in the plane as half-edges, and its regions between constraints.
+// A triangulation of points in the plane is given as half-edges, with its regions between constraints.
 //
 // Triangle t owns the half-edges 3t, 3t + 1, 3t + 2. Half-edge h runs from origin[h] to the origin of the next
 // half-edge of its triangle and has the triangle on its left, so the corners of every triangle are counter-clockwise.
@@ -29,7 +29,7 @@ using RegionId = Id<struct RegionTag>;
 [[nodiscard]] constexpr HalfEdgeId previous(HalfEdgeId h) { return next(next(h)); }
 
 struct HalfEdgeTriangulation {
-  // All three: one entry per half-edge.
+  // All three have one entry per half-edge.
   std::vector<PlanarPointId> origin;
   std::vector<HalfEdgeId> twin;
   std::vector<std::uint8_t> constrained;  // 1 on a constraint, else 0
@@ -37,7 +37,7 @@ struct HalfEdgeTriangulation {
   [[nodiscard]] std::size_t triangle_count() const { return origin.size() / 3; }
   [[nodiscard]] PlanarPointId from(HalfEdgeId h) const { return origin[h.index()]; }
   [[nodiscard]] PlanarPointId to(HalfEdgeId h) const { return origin[next(h).index()]; }
-  // The corner of h's triangle that is not on h.
+  // Returns the corner of h's triangle that is not on h.
   [[nodiscard]] PlanarPointId apex(HalfEdgeId h) const { return origin[previous(h).index()]; }
   [[nodiscard]] HalfEdgeId twin_of(HalfEdgeId h) const { return twin[h.index()]; }
   [[nodiscard]] bool is_constrained(HalfEdgeId h) const { return constrained[h.index()] != 0; }
@@ -45,7 +45,7 @@ struct HalfEdgeTriangulation {
   [[nodiscard]] std::array<PlanarPointId, 3> corners(TriangleId t) const {
     return {from(half_edge(t, 0)), from(half_edge(t, 1)), from(half_edge(t, 2))};
   }
-  // The triangle across the side from corner `side` to the following one; invalid outside the hull.
+  // Returns the triangle across the side from corner `side` to the following one; invalid outside the hull.
   [[nodiscard]] TriangleId neighbour(TriangleId t, std::size_t side) const {
     const HalfEdgeId across = twin_of(half_edge(t, side));
     return across.valid() ? triangle_of(across) : TriangleId{};
@@ -54,13 +54,13 @@ struct HalfEdgeTriangulation {
   friend bool operator==(const HalfEdgeTriangulation&, const HalfEdgeTriangulation&) = default;
 };
 
-// The parts into which the constraints cut the triangulation.
+// The constraints cut the triangulation into these regions.
 struct Regions {
   std::vector<RegionId> of_triangle;  // numbered from 0 by their first triangle
   std::size_t count = 0;
 };
 
-// Two triangles share a region where a path from one to the other crosses no constraint. O(triangles).
+// Two triangles share a region where a path from one to the other crosses no constraint. This takes O(triangles).
 [[nodiscard]] Regions flood_regions(const HalfEdgeTriangulation& triangulation);
 
 }  // namespace sightline::inline reconstruct

@@ -1,4 +1,4 @@
-// The checks of constrained_delaunay.h, one function each.
+// The checks of constrained_delaunay.h are here, one function each.
 #include <algorithm>
 
 #include "reconstruct/triangulation/constrained_delaunay.h"
@@ -69,7 +69,7 @@ void check_corners(const Check& check) {
   }
 }
 
-// Per point: the one after it on the boundary, invalid inside.
+// Returns, per point, the one after it on the boundary; invalid inside.
 std::vector<PlanarPointId> boundary(const Check& check) {
   std::vector<PlanarPointId> following(check.points.size());
   check.for_each_half_edge([&](HalfEdgeId h) {

@@ -1,16 +1,16 @@
 // Arithmetic on balls: numbers known up to a radius, by which a cheap test can prove its answer.
 //
-// Holds: |true value - middle| <= radius, for sums, differences, products and quotients of balls for which it holds. Where
-// nothing is known (an overflow, infinity minus infinity) the radius is infinite or one of both is no number, and no
-// comparison holds.
+// Holds: |true value - middle| <= radius, for sums, differences, products and quotients of balls for which it holds.
+// Where nothing is known (an overflow, infinity minus infinity) the radius is infinite or one of both is no number, and
+// no comparison holds.
 //
-// Derivation, with u = 2^-53 and every operation rounded to nearest. A sum m = fl(a + b) is off by at most u |m|, a product
-// by at most u |m| + 2^-1075, beside what the radii let through: ra + rb, and |a| rb + |b| ra + ra rb. Twice u |m| is
-// written 2^-52 |m|. The radius is itself computed from numbers that are not negative, with at most five roundings, the
-// last by `widened`: its sum can come out too small by a factor of (1 - u)^5, and by 2^-1075 for each of three products.
-// Widening by 1 + 8 u and adding 2^-1070 covers both.
-// Rejected: intervals with ends moved outwards. Four products and their minimum, for each product, took most of the time
-// of a pyramid.
+// Derivation, with u = 2^-53 and every operation rounded to nearest. A sum m = fl(a + b) is off by at most u |m|, a
+// product by at most u |m| + 2^-1075, beside what the radii let through: ra + rb, and |a| rb + |b| ra + ra rb. Twice u
+// |m| is written 2^-52 |m|. The radius is itself computed from numbers that are not negative, with at most five
+// roundings, the last by `widened`: its sum can come out too small by a factor of (1 - u)^5, and by 2^-1075 for each of
+// three products. Widening by 1 + 8 u and adding 2^-1070 covers both.
+// Rejected: intervals with ends moved outwards. Four products and their minimum, for each product, took most of the
+// time of a pyramid.
 #pragma once
 
 #include <algorithm>
@@ -33,7 +33,7 @@ struct Ball {
     static_assert(factor * (1 - 5 * 0x1p-53) > 1);
     return radius * factor + 0x1p-1070;
   }
-  // Proven. Gradual underflow gives a sum its true sign.
+  // The sign is proven. Gradual underflow gives a sum its true sign.
   [[nodiscard]] bool is_negative() const { return middle + radius < 0; }
   [[nodiscard]] bool is_positive() const { return middle - radius > 0; }
 
@@ -60,7 +60,7 @@ struct Ball {
 
 [[nodiscard]] inline Ball exactly(double x) { return {x, 0}; }
 
-// Holds all of [low, high].
+// Returns a ball that holds all of [low, high].
 [[nodiscard]] inline Ball ball_around(double low, double high) {
   const double middle = 0.5 * low + 0.5 * high;
   return {middle, Ball::widened(std::fmax(high - middle, middle - low))};
@@ -83,7 +83,7 @@ using BallVector = std::array<Ball, 3>;
   return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
 }
 
-// normal . v + constant.
+// The form's value at v is normal . v + constant.
 struct BallForm {
   BallVector normal;
   Ball constant;

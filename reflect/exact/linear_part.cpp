@@ -8,7 +8,7 @@ namespace {
 
 using Polygon = std::vector<Point2>;
 
-// The triangle's surroundings, in the window.
+// Returns the triangle's surroundings, in the window.
 Polygon surroundings(const RightTriangle& triangle, int grid_bits) {
   const double border = std::ldexp(1.0, grid_bits);
   const auto& [corner, along_x, along_y] = triangle;
@@ -41,7 +41,7 @@ class LinearFunction {
   double per_y_;
 };
 
-// One side of Sutherland and Hodgman's clipping.
+// This is one side of Sutherland and Hodgman's clipping.
 Polygon clipped(const Polygon& polygon, const LinearFunction& function) {
   Polygon result;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -67,7 +67,7 @@ ImagePolygon rounded(const Polygon& polygon) {
   return result.size() < 3 ? ImagePolygon{} : result;
 }
 
-// Whether a polygon has more than a border in common with the triangle and its domain.
+// Returns whether a polygon has more than a border in common with the triangle and its domain.
 bool enters(const RightTriangle& triangle, const std::vector<CornerValues>& domain, Polygon polygon) {
   for (const CornerValues& inside : {CornerValues{1, 0, 0}, CornerValues{0, 1, 0}, CornerValues{0, 0, 1}})
     polygon = clipped(polygon, LinearFunction(triangle, inside));

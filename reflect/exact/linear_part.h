@@ -3,8 +3,8 @@
 // In:  a right triangle with two sides along the axes, its corners grid points; per function its values at the corners.
 // Out: a convex polygon on the grid that has the wanted part in common with the triangle, its corners rounded once; it
 //      reaches beyond the triangle, by the triangle's size at most, so that rounding moves no border along the
-//      triangle's own sides. Empty where the part is, or where it does not reach into the domain: what has values above 1
-//      of other functions. And whether the part is all of the triangle.
+//      triangle's own sides. Empty where the part is, or where it does not reach into the domain: what has values above
+//      1 of other functions. And whether the part is all of the triangle.
 // Floating point; a value that is not finite makes the part empty.
 // Complexity: O(k^2) for k functions.
 #pragma once
@@ -16,7 +16,7 @@
 
 namespace sightline::inline reflect {
 
-// Right angle, then the neighbours along x and along y.
+// The corners are the right angle, then its neighbours along x and along y.
 using RightTriangle = std::array<ImagePoint, 3>;
 using CornerValues = std::array<double, 3>;
 

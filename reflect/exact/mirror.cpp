@@ -107,7 +107,7 @@ std::vector<ImagePolygon> Mirror::shadows(const WindowPart& part, std::size_t pa
   return shadows;
 }
 
-// Balls decide nearly always.
+// Balls decide nearly always; what they leave open is computed exactly.
 ImagePolygon Mirror::shadow(const CutMesh& mesh, WholeId obstacle, const PanelImage& image) {
   const std::vector<Point3> corners = corners_of(mesh, obstacle);
   if (image.towards_centre_ball.is_positive_at(corners)) {

@@ -3,13 +3,13 @@
 // In:  a surface in view (a planar face, or a facet), its visible polygons, the panels and what may be in the way.
 // Out: per visible polygon and panel the border of the part that mirrors the panel into the camera. Exact in the image:
 //      rounded are only the image points of panels and obstacles in the mirror, once, to the grid.
-// Method: the panel as the camera sees it in the mirror (mirror_view.h), without what obstacles hide (lit_region.h), and
-//      of that what lies in the visible polygon (overlay.h). An obstacle hides a panel where it is before the panel's
-//      plane, seen from the mirror camera; other panels are obstacles, with both sides. Most polygons are done with when
-//      their pyramid misses the panel, most others when it has no obstacle in it (pyramid.h).
-// Source: Koucky 2014, 3.9 and figures 3.9 and 3.10. Departures: his obstacle test asks for vertices inside the pyramid,
-//      and a triangle reflects wholly or not at all; here an obstacle is whatever reaches into the pyramid, and the
-//      reflecting part is cut out.
+// Method: the panel as the camera sees it in the mirror (mirror_view.h), without what obstacles hide (lit_region.h),
+//      and of that what lies in the visible polygon (overlay.h). An obstacle hides a panel where it is before the
+//      panel's plane, seen from the mirror camera; other panels are obstacles, with both sides. Most polygons are done
+//      with when their pyramid misses the panel, most others when it has no obstacle in it (pyramid.h).
+// Source: Koucky 2014, 3.9 and figures 3.9 and 3.10. Departures: his obstacle test asks for vertices inside the
+//      pyramid, and a triangle reflects wholly or not at all; here an obstacle is whatever reaches into the pyramid,
+//      and the reflecting part is cut out.
 #pragma once
 
 #include <map>
@@ -28,15 +28,17 @@ class Mirror {
  public:
   Mirror(const MirrorWorld& world, const ProjectedScene& scene, FacetId surface);
 
-  // The panels that the pyramid through a part of the window may reach.
+  // Returns the panels that the pyramid through a part of the window may reach.
   [[nodiscard]] std::vector<std::size_t> panels_reached(const WindowPart& part) const;
 
-  // polygon: the border of one of the surface's visible polygons; part: a rectangle around it; panel: one that is reached.
+  // `polygon` is the border of one of the surface's visible polygons, `part` a rectangle around it, and `panel` one
+  // that is reached.
   [[nodiscard]] RegionBorder reflecting(const RegionBorder& polygon, const WindowPart& part, std::size_t panel,
                                         ReflectionStatistics& statistics);
 
  private:
-  // A panel's image in the mirror, in convex polygons, and a rectangle around it; empty where it shows nothing.
+  // A panel's image in the mirror is a list of convex polygons, with a rectangle around it; it is empty where it shows
+  // nothing.
   struct PanelImage {
     std::vector<ImagePolygon> polygons;
     WindowPart part;

@@ -10,7 +10,7 @@ namespace {
 
 ExactPlane sum(const ExactPlane& p, const ExactPlane& q) { return {p.a + q.a, p.b + q.b, p.c + q.c, p.d + q.d}; }
 
-// A camera's X, Y and W as forms with integer coefficients over one common positive factor.
+// A camera's X, Y and W are forms with integer coefficients over one common positive factor.
 struct CameraForms {
   ExactPlane x, y, w;
 };
@@ -22,7 +22,7 @@ CameraForms camera_forms(const Camera& camera) {
   const int lowest = exponent_range(values).lowest;
   const auto integer = [lowest](double value) { return scaled<BigInteger>(value, lowest); };
   const BigInteger unit = integer(1.0);
-  // row . (v - origin), times unit * unit.
+  // The form is row . (v - origin), times unit * unit.
   const auto form = [&](const Vector3& row) {
     const BigInteger at_origin = integer(row.x) * integer(camera.origin.x) + integer(row.y) * integer(camera.origin.y) +
                                  integer(row.z) * integer(camera.origin.z);
@@ -32,8 +32,8 @@ CameraForms camera_forms(const Camera& camera) {
   return {form(camera.right), form(camera.up), perspective ? form(camera.forward) : ExactPlane{0, 0, 0, unit * unit}};
 }
 
-// The form that gives a point what `form` gives its mirror image, times n . n > 0: a point v has the image
-// v - 2 h(v) / (n . n) n, with the mirror's form h and its normal n.
+// Returns the form that gives a point what `form` gives its mirror image, times n . n > 0: a point v has the image v -
+// 2 h(v) / (n . n) n, with the mirror's form h and its normal n.
 ExactPlane in_mirror(const ExactPlane& form, const ExactPlane& mirror) {
   const BigInteger norm = mirror.a * mirror.a + mirror.b * mirror.b + mirror.c * mirror.c;
   const BigInteger twice = 2 * (form.a * mirror.a + form.b * mirror.b + form.c * mirror.c);

@@ -12,8 +12,8 @@ namespace {
 
 bool is_perspective(const Camera& camera) { return camera.projection == Projection::perspective; }
 
-// The integer nearest to 2^grid_bits ratio, ties away from zero, if all of the ball has the same. The sum with 1/2 has
-// twice the radius that its rounding needs: the ends' own rounding is no larger.
+// Returns the integer nearest to 2^grid_bits ratio, ties away from zero, if all of the ball has the same. The sum with
+// 1/2 has twice the radius that its rounding needs: the ends' own rounding is no larger.
 std::optional<std::int64_t> certain_coordinate(const Ball& ratio, int grid_bits) {
   const Ball size{std::ldexp(std::abs(ratio.middle), grid_bits), std::ldexp(ratio.radius, grid_bits)};
   const Ball shifted = size + exactly(0.5);
@@ -29,7 +29,7 @@ struct BallCorner {
   Ball x, y, w;
   bool is_on_mirror = false;  // known
 
-  // Where a line meets a bound that `inside` and `outside` have these heights over, > 0 and < 0.
+  // Returns where a line meets a bound over which `inside` and `outside` have these heights, > 0 and < 0.
   [[nodiscard]] static BallCorner between(const BallCorner& inside, const Ball& height_inside,
                                           const BallCorner& outside, const Ball& height_outside) {
     const auto blend = [&](Ball BallCorner::*value) {
@@ -39,7 +39,7 @@ struct BallCorner {
   }
 };
 
-// What a corner's place relative to a bound is computed from: nothing below zero is inside.
+// A corner's place relative to a bound is computed from these: nothing below zero is inside.
 using Height = Ball (*)(const BallCorner&);
 constexpr std::array<Height, 5> bounds{
     [](const BallCorner& c) { return c.is_on_mirror ? Ball{} : c.height; },
@@ -53,7 +53,7 @@ std::optional<Sign> certain_sign(const Ball& ball) {
   return std::nullopt;
 }
 
-// Sutherland and Hodgman's step, in the order of part_in_front (facet_cutter.h).
+// This is Sutherland and Hodgman's step, in the order of part_in_front (facet_cutter.h).
 std::optional<std::vector<BallCorner>> certain_part(const std::vector<BallCorner>& polygon, Height height) {
   std::vector<Sign> sides;
   for (const BallCorner& corner : polygon) {
@@ -74,7 +74,7 @@ std::optional<std::vector<BallCorner>> certain_part(const std::vector<BallCorner
   return part;
 }
 
-// With differences of points first: so the balls stay small, and a grid point is nearly always certain.
+// Differences of points are taken first: so the balls stay small, and a grid point is nearly always certain.
 BallCorner seen(const MirroredForms& forms, const Camera& camera, const Point3& corner) {
   const bool is_on_mirror = std::find(forms.plane.begin(), forms.plane.end(), corner) != forms.plane.end();
   const Ball height = is_on_mirror ? Ball{} : dot(forms.mirror.normal, exactly(corner) - exactly(forms.plane[0]));
@@ -94,8 +94,8 @@ BallForm ball_form(const std::array<Point3, 3>& points) {
   return {normal, -dot(normal, origin)};
 }
 
-// As mirror_view.cpp has it exactly: a point v has the mirror image v - 2 h(v) / (n . n) n, with the mirror's form h and
-// its normal n, and so a camera's form l becomes l - 2 (l . n) / (n . n) h.
+// mirror_view.cpp does the same exactly. A point v has the mirror image v - 2 h(v) / (n . n) n, with the mirror's form
+// h and its normal n, and so a camera's form l becomes l - 2 (l . n) / (n . n) h.
 MirroredForms mirrored_forms(const Camera& camera, const std::array<Point3, 3>& plane) {
   MirroredForms forms{plane, ball_form(plane), {}, {}, {}, {}, {}};
   const BallVector& normal = forms.mirror.normal;

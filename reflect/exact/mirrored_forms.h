@@ -1,9 +1,9 @@
 // A mirror's plane, and the camera's forms on what is seen in it, as balls: the filter before mirror_view.h.
 //
 // In:  a camera; three points of a plane that has the camera's eye in front.
-// Out: forms of a point of space: `mirror`, its height over the mirror, up to a positive factor; x, y and w, what the camera
-//      gives its mirror image. On which side of a plane the mirror camera is, and the image of a convex polygon, where
-//      balls suffice to tell.
+// Out: forms of a point of space: `mirror`, its height over the mirror, up to a positive factor; x, y and w, what the
+//      camera gives its mirror image. On which side of a plane the mirror camera is, and the image of a convex polygon,
+//      where balls suffice to tell.
 // Holds: every coefficient's ball holds the true one; a side or an image is what MirrorView says, number for number.
 // Complexity: O(1), and O(k) for k corners.
 #pragma once
@@ -19,7 +19,7 @@
 
 namespace sightline::inline reflect {
 
-// The plane through three points, positive where they are seen counter-clockwise.
+// Returns the plane through three points, positive where they are seen counter-clockwise.
 [[nodiscard]] BallForm ball_form(const std::array<Point3, 3>& points);
 
 struct MirroredForms {
@@ -32,12 +32,12 @@ struct MirroredForms {
 
 [[nodiscard]] MirroredForms mirrored_forms(const Camera& camera, const std::array<Point3, 3>& plane);
 
-// Nothing where it is not certain, on the plane for one.
+// The side is empty where it is not certain, on the plane for one.
 [[nodiscard]] std::optional<Sign> certain_side_of_centre(const MirroredForms& forms, const Camera& camera,
                                                          const BallForm& plane);
 
-// Nothing where on which side of the mirror or of the window's bounds a corner is, or which grid point is its image, is
-// not certain. Corners of the mirror's own, `plane`, are known to be in its plane.
+// The image is empty where it is not certain on which side of the mirror or of the window's bounds a corner is, or
+// which grid point is its image. Corners of the mirror's own, `plane`, are known to be in its plane.
 [[nodiscard]] std::optional<ImagePolygon> certain_image(const MirroredForms& forms, const Camera& camera,
                                                         std::span<const Point3> corners, int grid_bits);
 

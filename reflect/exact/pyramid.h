@@ -1,8 +1,9 @@
-// The pyramid from the mirror camera through a part of the window, cut off at the mirror: a test that may say "perhaps".
+// The pyramid from the mirror camera through a part of the window, cut off at the mirror: a test that may say
+// "perhaps".
 //
 // In:  the camera's forms in the mirror; a rectangle of the window.
-// Out: whether a box may have a point in the pyramid. False is proven: every number is a ball (ball.h) that holds the true
-//      one. What is true may yet have no point in it.
+// Out: whether a box may have a point in the pyramid. False is proven: every number is a ball (ball.h) that holds the
+//      true one. What is true may yet have no point in it.
 // Complexity: O(1).
 // Source: Koucky 2014, 3.9 (pyramid C_r, figure 3.10).
 #pragma once
@@ -14,7 +15,7 @@
 
 namespace sightline::inline reflect {
 
-// In units of the window; closed.
+// The part is in units of the window, and closed.
 struct WindowPart {
   double left = 0;
   double right = 0;

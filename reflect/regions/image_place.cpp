@@ -7,7 +7,7 @@
 namespace sightline::inline reflect {
 namespace {
 
-// u x v, where v = (x, y) / denominator is a place less the line's top.
+// Returns the sign of u x v, where v = (x, y) / denominator is a place less the line's top.
 Sign exact_side(const ImageLine& line, const CrossingPoint& p) {
   const Wide256 denominator(p.denominator);
   const Wide256 x = Wide256(p.base.x - line.top.x) * denominator + Wide256(p.offset_x);
@@ -27,10 +27,10 @@ ImagePlace crossing_place(const ImageLine& a, const ImageLine& b) {
 
 int sweep_compare(const ImagePlace& a, const ImagePlace& b) { return sweep_compare(a.at, b.at); }
 
-// The filter: |u| <= 2^42 in each coordinate, and v is off by crossing_error = 2^-10 in each and by the rounding of a
-// difference, at most 2^42 * 2^-53; so a product is off by 2^42 (2^-10 + 2^-11) and by its own rounding of at most
-// 2^84 * 2^-53, the difference of two products by twice that and one more rounding of 2^85 * 2^-53:
-// 2^33 + 2^32 + 2^32 + 2^32 < 2^35.
+// The filter's bound follows from |u| <= 2^42 in each coordinate; v is off by crossing_error = 2^-10 in each and by the
+// rounding of a difference, at most 2^42 * 2^-53; so a product is off by 2^42 (2^-10 + 2^-11) and by its own rounding
+// of at most 2^84 * 2^-53, the difference of two products by twice that and one more rounding of 2^85 * 2^-53: 2^33 +
+// 2^32 + 2^32 + 2^32 < 2^35.
 Sign side(const ImageLine& line, const ImagePlace& p) {
   constexpr double bound = 0x1p35;
   const auto ux = static_cast<double>(line.bottom.x - line.top.x);

@@ -6,6 +6,8 @@
 // Complexity: O(1) each.
 #pragma once
 
+#include <vector>
+
 #include "sweep/segments/crossing_point.h"
 
 namespace sightline::inline reflect {
@@ -28,13 +30,21 @@ struct ImagePlace {
 // Precondition: the lines are not parallel.
 [[nodiscard]] ImagePlace crossing_place(const ImageLine& a, const ImageLine& b);
 
-// -1 where the first comes first in sweep order, 0 where they are one point.
+// Returns -1 where the first comes first in sweep order, 0 where they are one point.
 [[nodiscard]] int sweep_compare(const ImagePlace& a, const ImagePlace& b);
 
-// +1 where p is right of the line, as the sweep line meets it; 0 where it is on it or on its continuation.
+// Returns +1 where p is right of the line, as the sweep line meets it; 0 where it is on it or on its continuation.
 [[nodiscard]] Sign side(const ImageLine& line, const ImagePlace& p);
 
-// +1 where, below a common point, a lies left of b; 0 where they are parallel.
+// Returns +1 where, below a common point, a lies left of b; 0 where they are parallel.
 [[nodiscard]] Sign turn(const ImageLine& a, const ImageLine& b);
+
+// The border of a region of the image consists of directed pieces, which have the region to their left.
+struct BorderPiece {
+  ImagePlace start;
+  ImagePlace end;
+  ImageLine line;  // that it lies on
+};
+using RegionBorder = std::vector<BorderPiece>;
 
 }  // namespace sightline::inline reflect

@@ -11,14 +11,14 @@ ImageLine line_between(const ImagePoint& p, const ImagePoint& q) {
   return sweeps_before(p, q) ? ImageLine{p, q} : ImageLine{q, p};
 }
 
-// Twice the signed area.
+// Returns twice the signed area.
 Int128 twice_area(const ImagePolygon& polygon) {
   Int128 sum = 0;
   for (std::size_t i = 1; i + 1 < polygon.size(); ++i) sum += twice_area(polygon[0], polygon[i], polygon[i + 1]);
   return sum;
 }
 
-// Counter-clockwise.
+// The border is added counter-clockwise.
 void add_border(RegionBorder& border, ImagePolygon polygon) {
   if (twice_area(polygon) < 0) std::ranges::reverse(polygon);
   for (std::size_t i = 0; i < polygon.size(); ++i) {

@@ -1,8 +1,7 @@
 #include "reflect/regions/overlay.h"
 
 #include <algorithm>
-
-#include "reflect/regions/band_index.h"
+#include <span>
 
 namespace sightline::inline reflect {
 namespace {
@@ -12,7 +11,61 @@ bool runs_down(const BorderPiece& piece) { return before(piece.start, piece.end)
 const ImagePlace& upper(const BorderPiece& piece) { return runs_down(piece) ? piece.start : piece.end; }
 const ImagePlace& lower(const BorderPiece& piece) { return runs_down(piece) ? piece.end : piece.start; }
 
-// A piece with the places where it is to be divided.
+constexpr std::size_t pieces_per_band = 4;
+
+double low_of(const BorderPiece& piece) { return std::min(piece.start.at.y, piece.end.at.y) - 1; }
+double high_of(const BorderPiece& piece) { return std::max(piece.start.at.y, piece.end.at.y) + 1; }
+
+// The index tells which pieces of a border may be met at a height of the image. Bands have equal height, and there are
+// no more of them than pieces; a piece is in all that it touches, widened by a spacing, so that approximate places do.
+class BandIndex {
+ public:
+  explicit BandIndex(const RegionBorder& border) : bands_(border.size() / pieces_per_band + 1) {
+    if (border.empty()) return;
+    bottom_ = low_of(border.front());
+    double top = high_of(border.front());
+    for (const BorderPiece& piece : border) {
+      bottom_ = std::min(bottom_, low_of(piece));
+      top = std::max(top, high_of(piece));
+    }
+    bands_per_unit_ = static_cast<double>(bands_.size()) / (top - bottom_);
+    for (std::size_t i = 0; i < border.size(); ++i) {
+      const auto [low, high] = bands_beside(border[i]);
+      for (std::size_t band = low; band <= high; ++band) bands_[band].push_back(static_cast<std::uint32_t>(i));
+    }
+  }
+
+  // Returns the pieces, by their place in the border, that may reach the height of p.
+  [[nodiscard]] std::span<const std::uint32_t> at(const ImagePlace& p) const { return bands_[band_of(p.at.y)]; }
+
+  // Calls visit(i) for the pieces that may reach a height of the piece; some more than once.
+  template <class Visit>
+  void for_each_beside(const BorderPiece& piece, Visit visit) const {
+    const auto [low, high] = bands_beside(piece);
+    for (std::size_t band = low; band <= high; ++band) {
+      for (const std::uint32_t i : bands_[band]) visit(std::size_t{i});
+    }
+  }
+
+ private:
+  struct BandRange {
+    std::size_t low;
+    std::size_t high;
+  };
+  [[nodiscard]] BandRange bands_beside(const BorderPiece& piece) const {
+    return {band_of(low_of(piece)), band_of(high_of(piece))};
+  }
+  [[nodiscard]] std::size_t band_of(double y) const {
+    const double band = (y - bottom_) * bands_per_unit_;
+    return band <= 0 ? 0 : std::min(static_cast<std::size_t>(band), bands_.size() - 1);
+  }
+
+  double bottom_ = 0;
+  double bands_per_unit_ = 0;
+  std::vector<std::vector<std::uint32_t>> bands_;
+};
+
+// A piece comes with the places where it is to be divided.
 struct Divided {
   BorderPiece piece;
   std::vector<ImagePlace> places;
@@ -22,8 +75,8 @@ struct Divided {
   }
 };
 
-// How often a region's border winds around what is just left and just right of a piece. The sweep line, from left to
-// right, enters the region where it crosses a piece that runs down.
+// The windings say how often a region's border winds around what is just left and just right of a piece. The sweep
+// line, from left to right, enters the region where it crosses a piece that runs down.
 struct Windings {
   int left = 0;
   int right = 0;
@@ -110,7 +163,7 @@ class Overlay {
     if ((runs_down(part) ? of_second.right : of_second.left) > 0) result_.push_back(part);
   }
 
-  // Where it runs along the first region's border that border stands for it.
+  // Where a part runs along the first region's border, that border stands for it.
   void add_of_second(const BorderPiece& part) {
     const Windings of_second = windings_beside(second_, bands_of_second_, part);
     const bool down = runs_down(part);

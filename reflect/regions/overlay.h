@@ -6,22 +6,23 @@
 // Out: the border of the common part, in pieces that meet in end points only, with the part to their left. A piece lies
 //      on the line of the one that it came from. Empty where the regions have no area in common.
 // Complexity: O((m + n + k) b) for m and n pieces that meet k times, of which b are beside each other at one height
-// (band_index.h): small regions, or small pieces.
+// (BandIndex in overlay.cpp): small regions, or small pieces.
 #pragma once
 
 #include <vector>
 
-#include "reflect/regions/border_piece.h"
+#include "reflect/regions/image_place.h"
 
 namespace sightline::inline reflect {
 
 [[nodiscard]] RegionBorder common_part(const RegionBorder& first, const RegionBorder& second);
 
-// Without the pieces that run back and forth between the same places: it winds around everything as before. O(n log n).
+// Leaves out the pieces that run back and forth between the same places: the border winds around everything as before.
+// It takes O(n log n).
 [[nodiscard]] RegionBorder without_seams(RegionBorder border);
 
-// Borders whose pieces meet those of their own border in end points only, divided so that they meet each other's in end
-// points only, or lie on each other from end to end. O(n^2) for n pieces.
+// Divides borders, whose pieces meet those of their own border in end points only, so that they meet each other's in
+// end points only, or lie on each other from end to end. It takes O(n^2) for n pieces.
 [[nodiscard]] std::vector<RegionBorder> divided_at_meetings(std::vector<RegionBorder> borders);
 
 }  // namespace sightline::inline reflect

@@ -6,7 +6,7 @@
 namespace sightline::inline reflect {
 namespace {
 
-// More than approximate places are off by, and what their products lose.
+// This is more than approximate places are off by, and more than their products lose.
 constexpr double margin = 2;
 
 }  // namespace
@@ -38,7 +38,7 @@ SquarePlace PolygonOutline::place_of(const ImagePoint& low, std::int64_t size) c
   return winding(middle) == 0 ? SquarePlace::outside : SquarePlace::inside;
 }
 
-// No side is near p.
+// Precondition: no side is near p.
 int PolygonOutline::winding(const Point2& p) const {
   int winding = 0;
   for (const Side& side : sides_) {

@@ -1,13 +1,14 @@
 // A polygon of the image against squares, in floating point: may they have a border in common?
 //
-// In:  the polygon's border. Out: whether a square is certainly outside, certainly inside, or perhaps across the border.
+// In:  the polygon's border. Out: whether a square is certainly outside, certainly inside, or perhaps across the
+//      border.
 // Complexity: O(n) per square for n pieces.
 #pragma once
 
 #include <vector>
 
 #include "geometry/numbers/predicates.h"
-#include "reflect/regions/border_piece.h"
+#include "reflect/regions/image_place.h"
 
 namespace sightline::inline reflect {
 
@@ -23,11 +24,11 @@ class PolygonOutline {
     Point2 start;
     Point2 end;
 
-    // The distance of p from the side's line, to the left of it.
+    // Returns the distance of p from the side's line, to the left of it.
     [[nodiscard]] double left_of(const Point2& p) const;
   };
 
-  // Of a convex polygon its sides, else nothing: lines that have the polygon to their left.
+  // A convex polygon is bounded by its sides, lines that have it to their left; any other has none here.
   [[nodiscard]] const std::vector<Side>& bounds() const { return bounds_; }
 
  private:

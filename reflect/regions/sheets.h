@@ -1,5 +1,5 @@
-// Polygons of the image as sheets of paper over the window, and the camera that looks straight down on them: so the sweep
-// of the surface finds what polygons cover together, or hide of each other.
+// Polygons of the image as sheets of paper over the window, and the camera that looks straight down on them: so the
+// sweep of the surface finds what polygons cover together, or hide of each other.
 //
 // In:  polygons with corners on the grid, convex (but for rounding), each at some height.
 // Out: a mesh with a face per triangle of their fans, in the order in which they were added. Its coordinates are the
@@ -34,7 +34,7 @@ class Sheets {
   PolygonList faces_;
 };
 
-// Straight down on the window: a point's image is its own x and y.
+// The camera looks straight down on the window: a point's image is its own x and y.
 [[nodiscard]] Camera straight_down();
 
 }  // namespace sightline::inline reflect

@@ -10,17 +10,17 @@ Point2 in_window(const ImagePoint& p, int grid_bits) {
   return {std::ldexp(static_cast<double>(p.x), -grid_bits), std::ldexp(static_cast<double>(p.y), -grid_bits)};
 }
 
-// Of a half of the cell: the right angle's, then its neighbours along x and along y.
+// Returns the corners of a half of the cell: the right angle's, then its neighbours along x and along y.
 std::array<std::size_t, 3> corners_of(std::size_t half) {
   return half == 0 ? std::array<std::size_t, 3>{0, 1, 3} : std::array<std::size_t, 3>{2, 3, 1};
 }
 
-// > 0 where the ray passes the edge from p to q on the left, seen along the ray.
+// Returns a number > 0 where the ray passes the edge from p to q on the left, seen along the ray.
 double passing_side(const MirroredRay& ray, const Point3& p, const Point3& q) {
   return -dot(ray.direction, cross(p - ray.point, q - ray.point));
 }
 
-// The plane through the ray and a direction beside it, with another direction in front.
+// Returns the plane through the ray and a direction beside it, with another direction in front.
 PlaneForm plane_beside(const MirroredRay& ray, const Vector3& direction, const Vector3& front) {
   const Vector3 normal = cross(ray.direction, direction);
   return plane_across(dot(normal, front) < 0 ? -1 * normal : normal, ray.point);
@@ -71,7 +71,7 @@ LinearPart MirrorCell::reflecting(std::size_t half, const std::vector<Point3>& p
   return linear_part(triangle, functions, domain, grid_bits_);
 }
 
-// Linear between the corners: what all corners' rays pass on one side, all the cell's rays do.
+// Everything is linear between the corners: what all corners' rays pass on one side, all the cell's rays do.
 bool MirrorCell::may_reach(const Box& box) const {
   const auto is_behind = [&](const PlaneForm& plane) { return plane.highest(box) < 0; };
   const auto is_in_front = [&](const PlaneForm& plane) { return plane.lowest(box) > 0; };

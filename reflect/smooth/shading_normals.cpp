@@ -9,7 +9,7 @@
 namespace sightline::inline reflect {
 namespace {
 
-// The normal at the face's corner that is this vertex; zero where there are none.
+// Returns the normal at the face's corner that is this vertex; zero where there are none.
 Vector3 normal_at(const CutMesh& mesh, const std::vector<Vector3>& normals, FaceId face, VertexId vertex) {
   if (normals.empty()) return {};
   const auto corners = mesh.faces[face.index()];

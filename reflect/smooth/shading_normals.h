@@ -2,7 +2,8 @@
 //
 // In:  a surface in view (a planar face, or a facet), the normals at the corners of its face (vertex_normals.h).
 // Out: the normal at a point of its plane: in barycentric coordinates of the surface's triangle in which the point is;
-//      beyond the surface, of the triangle nearest by these coordinates, as far as the triangle is large, then constant.
+//      beyond the surface, of the triangle nearest by these coordinates, as far as the triangle is large, then
+//      constant.
 // Floating point. Complexity: O(k) per point for k corners.
 // Source: Koucky 2014, 3.9 (vertex normals); Phong's interpolation.
 #pragma once
@@ -18,7 +19,7 @@ class ShadingNormals {
  public:
   ShadingNormals(const CutMesh& mesh, const std::vector<Vector3>& vertex_normals, FacetId surface);
 
-  // Of length 1.
+  // The normal has length 1.
   [[nodiscard]] Vector3 at(const Point3& p) const;
   [[nodiscard]] const Vector3& of_plane() const { return plane_normal_; }
 

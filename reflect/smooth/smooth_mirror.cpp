@@ -14,12 +14,12 @@ constexpr std::int64_t enough_spacings = 256;
 // Two regions that are alike by chance, or both empty, say little.
 constexpr int fewest_divisions = 2;
 
-// At least 2: its halves have a size.
+// It is at least 2, so that its halves have a size.
 std::int64_t smallest_size(int grid_bits) {
   return std::max(std::int64_t{2}, std::min(enough_spacings, (std::int64_t{1} << grid_bits) / 64));
 }
 
-// Of closed rings, counter-clockwise ones count positive. Around the first place, to keep digits.
+// Closed rings that run counter-clockwise count positive. They are measured around the first place, to keep digits.
 double area_of(const RegionBorder& border) {
   double twice = 0;
   for (const BorderPiece& piece : border) {
@@ -36,7 +36,7 @@ std::array<ImagePoint, 4> quarters(const ImagePoint& low, std::int64_t half) {
           ImagePoint{low.x + half, low.y + half}};
 }
 
-// Several polygons in one triangle.
+// These are several polygons in one triangle.
 struct Cover {
   std::vector<ImagePolygon> polygons;
   bool is_whole = false;  // one of them covers the triangle
@@ -47,7 +47,7 @@ struct Cover {
   }
 };
 
-// Of the triangle what is in the image but not in shadow.
+// Returns what of the triangle is in the image but not in shadow.
 RegionBorder lit_part(const RightTriangle& triangle, const Cover& image, const Cover& shadow, int grid_bits) {
   if (shadow.is_whole) return {};
   RegionBorder border = lit_region({ImagePolygon(triangle.begin(), triangle.end())}, {}, grid_bits);
@@ -85,7 +85,8 @@ RegionBorder SmoothMirror::reflecting(const RegionBorder& polygon, const WindowP
   return common_part(polygon, without_seams(std::move(search.border)));
 }
 
-// The window's squares of the smallest size that is at least the part's: two of them reach beyond it in each direction.
+// Returns the window's squares of the smallest size that is at least the part's: two of them reach beyond it in each
+// direction.
 std::vector<SmoothMirror::Square> SmoothMirror::squares_around(const WindowPart& part) const {
   const std::int64_t window = std::int64_t{1} << scene_.grid_bits;
   const double extent = std::ldexp(std::max(part.right - part.left, part.top - part.bottom), scene_.grid_bits);
@@ -192,7 +193,7 @@ std::vector<const SmoothMirror::SpacePolygon*> SmoothMirror::obstacles_before(co
   return result;
 }
 
-// None where the panel has nothing before the mirror.
+// There are none where the panel has nothing before the mirror.
 std::vector<SmoothMirror::PanelFace>& SmoothMirror::faces_of(std::size_t panel) {
   const auto [found, is_new] = faces_.try_emplace(panel);
   std::vector<PanelFace>& faces = found->second;

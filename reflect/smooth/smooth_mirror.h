@@ -5,11 +5,12 @@
 //      tolerance: a model of the smooth surface that the mesh stands for. A flat mirror's is that of mirror.h, but for
 //      rounding.
 // Method: squares of the image that the polygon reaches, halved until dividing them once more changes the area of the
-//      polygon that reflects in them by no more than the tolerance (a share of their own area). In each, rays are traced at its corners, and
-//      what they do is taken as linear in between (mirror_cell.h): what meets the panel is cut out, and so is what
-//      obstacles before it hide. A ray starts on the flat face, and what does not rise from it is blocked by it.
-// Floating point, but for putting the parts together, which is exact (overlay.h): whatever the rounding, the borders are
-// those of a part of the polygon.
+//      polygon that reflects in them by no more than the tolerance (a share of their own area). In each, rays are
+//      traced at its corners, and what they do is taken as linear in between (mirror_cell.h): what meets the panel is
+//      cut out, and so is what obstacles before it hide. A ray starts on the flat face, and what does not rise from it
+//      is blocked by it.
+// Floating point, but for putting the parts together, which is exact (overlay.h): whatever the rounding, the borders
+// are those of a part of the polygon.
 // Complexity: O(1) per square and panel, and obstacle in its way.
 // Source: Koucky 2014, 3.9 (vertex normals). He has a yes or no per triangle; cutting within it is this project's.
 #pragma once
@@ -27,10 +28,10 @@ class SmoothMirror {
  public:
   SmoothMirror(const MirrorWorld& world, const ProjectedScene& scene, FacetId surface);
 
-  // The panels that may be reflected: all of them.
+  // Returns the panels that may be reflected: all of them.
   [[nodiscard]] std::vector<std::size_t> panels_reached(const WindowPart& part) const;
 
-  // polygon: the border of one of the surface's visible polygons; part: a rectangle around it.
+  // `polygon` is the border of one of the surface's visible polygons, `part` a rectangle around it.
   [[nodiscard]] RegionBorder reflecting(const RegionBorder& polygon, const WindowPart& part, std::size_t panel,
                                         ReflectionStatistics& statistics);
 
@@ -47,18 +48,18 @@ class SmoothMirror {
   };
   using SpacePolygon = std::vector<Point3>;
 
-  // One emitting side of a panel, and what has been found to be in its way.
+  // This is one emitting side of a panel, with what has been found to be in its way.
   struct PanelFace {
     std::size_t panel = 0;
     PolygonSide side = PolygonSide::front;
     ExactPlane plane;                  // with the emitting side in front
     std::vector<SpacePolygon> pieces;  // what of it is before the mirror
-    // What of an obstacle is before the mirror and the panel. By the number of its panel, or that behind the last one for
-    // the surface.
+    // Each obstacle has what of it is before the mirror and the panel. It is named by the number of its panel, or by
+    // that behind the last one for the surface.
     std::map<std::pair<std::size_t, WholeId>, SpacePolygon> obstacles;
   };
 
-  // For one polygon and panel.
+  // A search is for one polygon and panel.
   struct Search {
     const RegionBorder& polygon;
     const PolygonOutline outline;

@@ -1,10 +1,10 @@
 // Rays from the camera, mirrored at a surface as its vertex normals have it.
 //
 // In:  the camera, a surface in view; a place of the window [-1, 1]^2.
-// Out: the ray after it met the surface's plane there, as two points of it or a point and a direction. For a pinhole the
-//      point is the mirror image of its eye at the tangent plane (Koucky's C_r), for an orthographic camera that where the
-//      ray meets the plane: so that for equal normals point and direction are linear in the place. Nothing where the ray
-//      does not meet the plane before the eye.
+// Out: the ray after it met the surface's plane there, as two points of it or a point and a direction. For a pinhole
+//      the point is the mirror image of its eye at the tangent plane (Koucky's C_r), for an orthographic camera that
+//      where the ray meets the plane: so that for equal normals point and direction are linear in the place. Nothing
+//      where the ray does not meet the plane before the eye.
 // Units: positions are those of the input times `scale`.
 // Floating point. Complexity: that of ShadingNormals::at.
 #pragma once
@@ -31,7 +31,7 @@ class SmoothRays {
   [[nodiscard]] std::optional<MirroredRay> at(double x, double y) const;
 
  private:
-  // A ray of the camera.
+  // This is a ray of the camera.
   struct Ray {
     Point3 point;
     Vector3 direction;

@@ -15,7 +15,7 @@ struct Ray {
   Vector3 direction;
 };
 
-// A panel as rays meet it.
+// This is a panel as rays meet it.
 class PanelTarget {
  public:
   PanelTarget(const MirrorWorld& world, std::size_t panel) : emits_(world.panels[panel].emits) {
@@ -29,7 +29,7 @@ class PanelTarget {
 
   [[nodiscard]] const PlaneForm& plane() const { return plane_; }
 
-  // Whether the ray, beyond its start, meets the panel on a side that emits.
+  // Returns whether the ray, beyond its start, meets the panel on a side that emits.
   [[nodiscard]] bool is_met_by(const Ray& ray) const {
     const double height = plane_.at(ray.from);
     const double distance = -height / dot(plane_.normal, ray.direction);
@@ -38,7 +38,7 @@ class PanelTarget {
   }
 
  private:
-  // By the crossings of a line that runs to one side.
+  // The crossings of a line that runs to one side tell whether the place is inside.
   [[nodiscard]] bool contains(const Point3& place) const {
     const Point2 p = without_axis(place);
     bool inside = false;
@@ -59,7 +59,7 @@ class PanelTarget {
   int axis_ = 0;
 };
 
-// The vertices that triangles have, scaled.
+// This has the vertices that triangles have, scaled.
 class VertexSearch {
  public:
   VertexSearch(const LabelledMesh& labelled, double scale) {
@@ -77,7 +77,7 @@ class VertexSearch {
     hierarchy_ = build_hierarchy(boxes);
   }
 
-  // visit(vertex) for those in the pyramid.
+  // Calls visit(vertex) for those in the pyramid.
   template <class Visit>
   void for_each_in(const VertexPyramid& pyramid, Visit visit) const {
     for_each_touched_item(

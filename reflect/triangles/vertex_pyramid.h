@@ -1,7 +1,8 @@
 // The pyramid through a triangle, between the triangle's plane and a panel's, for the vertices in it.
 //
-// In:  a triangle, counter-clockwise seen from the camera; the camera's eye (w = 0: the direction towards the viewer); the
-//      panel's plane. Out: whether a point is strictly inside, by five conditions (Koucky 2014, 3.9), in floating point.
+// In:  a triangle, counter-clockwise seen from the camera; the camera's eye (w = 0: the direction towards the viewer);
+//      the panel's plane. Out: whether a point is strictly inside, by five conditions (Koucky 2014, 3.9), in floating
+//      point.
 // Units: positions are scaled so that products of four lengths neither overflow nor underflow.
 #pragma once
 

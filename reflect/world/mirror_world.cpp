@@ -19,6 +19,28 @@ const char* to_string(ReflectionMode mode) {
 
 const char* to_string(MirrorNormals normals) { return normals == MirrorNormals::face ? "face" : "vertex"; }
 
+std::span<const VertexId> whole_corners(const CutMesh& mesh, WholeId whole) {
+  return mesh.is_cut() ? mesh.cuts.wholes[whole.index()] : mesh.corners(FacetId(whole.index()));
+}
+
+Box box_of(const CutMesh& mesh, std::span<const VertexId> corners) {
+  Box box{mesh.position(corners.front()), mesh.position(corners.front())};
+  for (const VertexId v : corners) box = hull(box, {mesh.position(v), mesh.position(v)});
+  return box;
+}
+
+Obstacles::Obstacles(const CutMesh& mesh) {
+  std::vector<Box> boxes;
+  for (std::size_t w = 0; w < mesh.whole_count(); ++w) boxes.push_back(box_of(mesh, whole_corners(mesh, WholeId(w))));
+  hierarchy_ = build_hierarchy(boxes);
+}
+
+std::vector<WholeId> Obstacles::in(const std::function<bool(const Box&)>& may_touch) const {
+  std::vector<WholeId> found;
+  for_each_touched_item(hierarchy_, may_touch, [&](const BoxHierarchy::Item& item) { found.emplace_back(item.index); });
+  return found;
+}
+
 MirrorWorld make_mirror_world(std::shared_ptr<const CutMesh> surface, std::vector<Panel> panels,
                               const ReflectionOptions& options, const std::vector<Vector3>& given_normals) {
   MirrorWorld world{std::move(surface), std::move(panels), options, {}, {}, {}, {}, 1, {}};

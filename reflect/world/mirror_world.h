@@ -1,15 +1,34 @@
-// Everything that can be reflected or be in the way, prepared once for all cameras.
+// The world is everything that can be reflected or be in the way, prepared once for all cameras.
 #pragma once
 
+#include <functional>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "geometry/cutting/facet_cutter.h"
-#include "reflect/world/obstacles.h"
+#include "geometry/mesh/box_hierarchy.h"
+#include "geometry/mesh/cut_mesh.h"
 #include "reflect/world/panel.h"
 #include "reflect/world/reflection_options.h"
 
 namespace sightline::inline reflect {
+
+// The facets of the surface, and panels, may stand between a mirror and a panel. The hierarchy is built in O(n log n);
+// a pyramid (pyramid.h) costs what it touches of it.
+class Obstacles {
+ public:
+  Obstacles() = default;
+  // A mesh that was cut along common lines has the facets before the cut as obstacles. Which pieces they are in is of
+  // no interest here.
+  explicit Obstacles(const CutMesh& mesh);
+
+  // `may_touch` is false where a box has no point in the pyramid.
+  [[nodiscard]] std::vector<WholeId> in(const std::function<bool(const Box&)>& may_touch) const;
+
+ private:
+  BoxHierarchy hierarchy_;
+};
 
 struct MirrorWorld {
   std::shared_ptr<const CutMesh> surface;  // a world keeps it alive
@@ -23,14 +42,19 @@ struct MirrorWorld {
   std::vector<Vector3> normals;  // where the options need them: vertex_normals(surface)
 };
 
-// given_normals: see vertex_normals. Errors: PanelError.
+// `given_normals` are as for vertex_normals. Errors: PanelError.
 [[nodiscard]] MirrorWorld make_mirror_world(std::shared_ptr<const CutMesh> surface, std::vector<Panel> panels,
                                             const ReflectionOptions& options = {},
                                             const std::vector<Vector3>& given_normals = {});
 
+// Returns the corners of a whole: of a facet, where the mesh was not cut.
+[[nodiscard]] std::span<const VertexId> whole_corners(const CutMesh& mesh, WholeId whole);
+
+[[nodiscard]] Box box_of(const CutMesh& mesh, std::span<const VertexId> corners);
+
 [[nodiscard]] CutPolygon whole_polygon(const CutMesh& mesh, WholeId whole);
 
-// Three corners that are not on one line.
+// Returns three corners that are not on one line.
 [[nodiscard]] std::array<Point3, 3> plane_points(const CutMesh& mesh, FacetId facet);
 [[nodiscard]] ExactPlane plane_through(const std::array<Point3, 3>& points);
 

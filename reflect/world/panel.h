@@ -5,11 +5,11 @@
 // Source: Koucky 2014, 3.9 (flat panel).
 #pragma once
 
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "geometry/mesh/cut_mesh.h"
+#include "geometry/numbers/errors.h"
 
 namespace sightline::inline reflect {
 
@@ -21,13 +21,9 @@ struct Panel {
   Emits emits = Emits::both;
 };
 
-class PanelError : public std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
-// The panel as the only face of a mesh. Throws PanelError for a panel that is no planar polygon: fewer than three
-// corners, no area, a corner that bounds nothing, corners beside its plane, a border that crosses itself. Precondition:
-// coordinates are finite.
+// Returns the panel as the only face of a mesh. Throws PanelError for a panel that is no planar polygon: fewer than
+// three corners, no area, a corner that bounds nothing, corners beside its plane, a border that crosses itself.
+// Precondition: coordinates are finite.
 [[nodiscard]] Mesh panel_mesh(const Panel& panel);
 
 }  // namespace sightline::inline reflect

@@ -1,4 +1,4 @@
-// A plane in floating point, as a form: positive on its front side.
+// A plane in floating point is a form that is positive on its front side.
 #pragma once
 
 #include "geometry/mesh/box_hierarchy.h"
@@ -12,7 +12,7 @@ struct PlaneForm {
 
   [[nodiscard]] double at(const Point3& p) const { return dot(normal, p) - offset; }
 
-  // Its least and its greatest value in a box.
+  // These are the form's least and its greatest value in a box.
   [[nodiscard]] double lowest(const Box& box) const {
     return at({normal.x < 0 ? box.high.x : box.low.x, normal.y < 0 ? box.high.y : box.low.y,
                normal.z < 0 ? box.high.z : box.low.z});

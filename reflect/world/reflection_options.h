@@ -1,4 +1,4 @@
-// How reflections are found.
+// The options say how reflections are found.
 //
 // exact:     every face is the flat mirror that it is; what reflects is cut out, exactly (mirror.h).
 // triangles: Koucky's test as published: a triangle reflects or not (reflecting_triangles.h).
@@ -13,15 +13,15 @@ namespace sightline::inline reflect {
 enum class ReflectionMode : std::uint8_t { exact, triangles, smooth };
 [[nodiscard]] const char* to_string(ReflectionMode mode);
 
-// What a ray is mirrored at, at a corner of a triangle.
+// A ray is mirrored, at a corner of a triangle, at one of these normals.
 enum class MirrorNormals : std::uint8_t { face, vertex };
 [[nodiscard]] const char* to_string(MirrorNormals normals);
 
 struct ReflectionOptions {
   ReflectionMode mode = ReflectionMode::exact;
   MirrorNormals normals = MirrorNormals::vertex;  // for triangles: exact has those of faces, smooth those of vertices
-  // For smooth: where dividing a part of the image changes the area that reflects by no more than this share of the
-  // part, it is not divided further.
+  // With smooth, a part of the image is not divided further where dividing it changes the area that reflects by no more
+  // than this share of the part.
   double tolerance = 1e-3;
 
   [[nodiscard]] bool needs_vertex_normals() const {

@@ -29,7 +29,8 @@ class BandMaker {
  private:
   [[nodiscard]] bool is_open(std::size_t f) const { return roles_[f] == Role::open; }
 
-  // By the highest row of cells that a facet's surface touches, so that bands have about as many open facets each.
+  // Facets are parted by the highest row of cells that their surface touches, so that bands have about as many open
+  // facets each.
   void part_open_facets() {
     const std::vector<std::uint32_t> row = top_rows();
     std::vector<std::size_t> in_row(grid_.side(), 0);
@@ -51,7 +52,7 @@ class BandMaker {
     }
   }
 
-  // Per surface, named by its first facet.
+  // Each surface, named by its first facet, has its highest row.
   [[nodiscard]] std::vector<std::uint32_t> top_rows() const {
     std::vector<std::uint32_t> row(mesh_.facet_count(), 0);
     parallel_for_each(row.size(), [&](std::size_t surface) {
@@ -70,7 +71,7 @@ class BandMaker {
     return top;
   }
 
-  // Per cell the bands of the open facets that touch it.
+  // Returns, per cell, the bands of the open facets that touch it.
   [[nodiscard]] std::vector<BandSet> open_in_cells() const {
     std::vector<BandSet> open(grid_.cell_count(), 0);
     parallel_for_each(mesh_.facet_count(), [&](std::size_t f) {
@@ -81,7 +82,7 @@ class BandMaker {
     return open;
   }
 
-  // Of an open facet.
+  // Precondition: the facet is open.
   [[nodiscard]] BandSet set_of_band(std::size_t f) const { return BandSet{1} << result_.band_of[f].value; }
 
   void find_swept() {
@@ -109,7 +110,7 @@ class BandMaker {
 
 // So many open facets make up for what a band costs.
 constexpr std::size_t open_facets_in_a_band = 10000;
-// What reaches from one band into the next is swept twice: so many times higher than a facet should a band be.
+// What reaches from one band into the next is swept twice, so a band should be so many times higher than a facet.
 constexpr double band_height_in_facets = 20;
 // But so many bands are shared out at any price.
 constexpr std::size_t bands_at_any_price = 4;

@@ -2,12 +2,12 @@
 //
 // In:  roles of facets and their cells; how many bands.
 // Out: per open facet its band; per band the facets that its sweep has to know.
-// Holds: the facets of one surface are in one band. A band's sweep knows all facets that may be seen in the cells which the
-//      band's open facets touch, so what it says of these is right, and nothing has to be joined at the bands' borders:
-//      a facet that reaches into several bands is swept whole in one.
+// Holds: the facets of one surface are in one band. A band's sweep knows all facets that may be seen in the cells which
+//      the band's open facets touch, so what it says of these is right, and nothing has to be joined at the bands'
+//      borders: a facet that reaches into several bands is swept whole in one.
 // Complexity: O(n) and the cells that facets touch.
-// Source: DESIGN.md section 8, idea 3. Rejected: sweeps that start at a line from the edges that cross it; what is open
-// there has to be found first, and segments that cross the line have to be joined.
+// Source: docs/how-it-works.md, "Bands". Rejected: sweeps that start at a line from the edges that cross it; what is
+// open there has to be found first, and segments that cross the line have to be joined.
 #pragma once
 
 #include <vector>
@@ -27,10 +27,10 @@ struct Bands {
   std::vector<std::vector<FacetId>> swept;  // per band, by id
 };
 
-// How many pay, whatever the number of threads is.
+// Returns how many bands pay, whatever the number of threads is.
 [[nodiscard]] std::size_t band_count(const std::vector<Role>& roles, const CellGrid& grid, const FacetCells& cells);
 
-// At least one band, at most most_bands.
+// There is at least one band, and there are at most most_bands.
 [[nodiscard]] Bands make_bands(const CutMesh& mesh, const std::vector<Role>& roles, const CellGrid& grid,
                                const FacetCells& cells, std::size_t count);
 

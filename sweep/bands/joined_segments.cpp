@@ -3,13 +3,152 @@
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
+#include <span>
+#include <tuple>
+#include <utility>
 
 #include "geometry/numbers/parallel.h"
-#include "sweep/bands/joined_crossings.h"
-#include "sweep/bands/openings.h"
+#include "geometry/numbers/sort_few.h"
+#include "sweep/segments/crossing_point.h"
+#include "sweep/segments/image_decisions.h"
 
 namespace sightline::inline sweep {
 namespace {
+
+struct Placed {
+  Crossing crossing;
+  CrossingPoint place;
+};
+
+std::vector<Placed> in_sweep_order(const ProjectedScene& scene, const std::vector<Crossing>& crossings) {
+  std::vector<Placed> all(crossings.size());
+  parallel_for_each(all.size(), [&](std::size_t i) {
+    all[i] = {crossings[i], crossing_point(scene, crossings[i].a, crossings[i].b)};
+  });
+  tbb::parallel_sort(all.begin(), all.end(), [](const Placed& x, const Placed& y) {
+    if (x.crossing.after != y.crossing.after) return x.crossing.after < y.crossing.after;
+    return sweep_compare(x.place, y.place) < 0;
+  });
+  return all;
+}
+
+// The crossings that several bands have found stand here once each, in sweep order, with their names among the whole's
+// points. Where several bands name a crossing, they give it the same name (segment_recorder.h).
+class JoinedCrossings {
+ public:
+  JoinedCrossings(const ProjectedScene& scene, const std::vector<Crossing>& crossings)
+      : vertices_(scene.points.size()) {
+    for (const Placed& p : in_sweep_order(scene, crossings)) {
+      if (!crossings_.empty() && key_of(crossings_.back()) == key_of(p.crossing)) continue;
+      index_.emplace_back(key_of(p.crossing), crossings_.size());
+      crossings_.push_back(p.crossing);
+    }
+    tbb::parallel_sort(index_.begin(), index_.end());
+  }
+
+  // Precondition: it is one of them.
+  [[nodiscard]] PointId name(const Crossing& crossing) const {
+    const auto found = std::ranges::lower_bound(index_, key_of(crossing), {}, &std::pair<Key, std::size_t>::first);
+    return PointId(vertices_ + found->second);
+  }
+  [[nodiscard]] const std::vector<Crossing>& all() const { return crossings_; }
+
+ private:
+  using Key = std::tuple<PointId, EdgeId, EdgeId>;
+  static Key key_of(const Crossing& c) { return {c.after, c.a, c.b}; }
+
+  std::size_t vertices_;
+  std::vector<Crossing> crossings_;
+  std::vector<std::pair<Key, std::size_t>> index_;
+};
+
+struct Opening {
+  VisibleSegment segment;
+  BandId band;      // invalid: of a plain facet
+  SegmentId swept;  // its number in the band's sweep
+  bool left_of_edge = false;
+
+  // Left of its edge a segment runs upwards.
+  [[nodiscard]] PointId upper() const { return left_of_edge ? segment.end : segment.start; }
+};
+
+// Segments open in the order in which a sweep of the whole would have found them: those of the bands' sweeps, and those
+// along the edges of plain facets, which no sweep has found.
+class OpeningFinder {
+ public:
+  OpeningFinder(const ProjectedScene& scene, const Continuation& continuation, const std::vector<Role>& roles,
+                const SweepOrder& order, std::span<const Opening> from_bands)
+      : scene_(scene), continuation_(continuation), roles_(roles), order_(order), from_bands_(from_bands) {}
+
+  // Returns what opens at points [begin, end), and at crossings before each of them, from left to right. What opens in
+  // the bands is given from the first that may open there on, in the order in which it opens; what opens at one point
+  // in one band already goes from left to right.
+  std::vector<Opening> find(std::size_t begin, std::size_t end) {
+    const auto edges = std::span(scene_.edges).first(scene_.edge_count());
+    next_edge_ =
+        static_cast<std::size_t>(std::ranges::lower_bound(edges, PointId(begin), {}, &SceneEdge::top) - edges.begin());
+    for (std::size_t p = begin; p < end; ++p) {
+      take_swept_through(PointId(p));
+      open_plain_at(PointId(p));
+      place_here();
+    }
+    return std::move(placed_);
+  }
+
+ private:
+  // Takes what opens before point p, crossing by crossing, and what opens at p.
+  void take_swept_through(PointId p) {
+    for (; next_swept_ < from_bands_.size(); ++next_swept_) {
+      const Opening& opening = from_bands_[next_swept_];
+      if (order_(p, opening.upper())) break;
+      if (!here_.empty() && here_.front().upper() != opening.upper()) place_here();
+      here_.push_back(opening);
+    }
+    if (!here_.empty() && here_.front().upper() != p) place_here();
+  }
+
+  // Edges are sorted by their tops.
+  void open_plain_at(PointId p) {
+    for (; next_edge_ < scene_.edge_count() && scene_.edges[next_edge_].top == p; ++next_edge_) {
+      const EdgeId e(next_edge_);
+      if (continuation_.is_contour(e)) continue;
+      const auto& [left, right] = continuation_.across(e);
+      const PointId bottom = scene_.edge(e).bottom;
+      if (is_plain(left)) here_.push_back({{bottom, p, left, right, e}, {}, {}, true});
+      if (is_plain(right)) here_.push_back({{p, bottom, right, left, e}, {}, {}, false});
+    }
+  }
+
+  [[nodiscard]] bool is_plain(FacetId f) const { return roles_[f.index()] == Role::plain; }
+
+  // Openings are placed from left to right; along one edge, what is left of it comes first.
+  void place_here() {
+    sort_few(std::span(here_), [this](const Opening& a, const Opening& b) {
+      const Sign turn = directions_turn(a.segment.edge, b.segment.edge);
+      return turn != 0 ? turn > 0 : a.left_of_edge && !b.left_of_edge;
+    });
+    placed_.insert(placed_.end(), here_.begin(), here_.end());
+    here_.clear();
+  }
+
+  [[nodiscard]] Sign directions_turn(EdgeId a, EdgeId b) const {
+    if (a == b) return 0;
+    const auto direction = [this](EdgeId e) {
+      return ExactDecisions::direction(scene_.point(scene_.edge(e).top), scene_.point(scene_.edge(e).bottom));
+    };
+    return ExactDecisions::turn(direction(a), direction(b));
+  }
+
+  const ProjectedScene& scene_;
+  const Continuation& continuation_;
+  const std::vector<Role>& roles_;
+  const SweepOrder& order_;
+  const std::span<const Opening> from_bands_;
+  std::size_t next_swept_ = 0;
+  std::size_t next_edge_ = 0;
+  std::vector<Opening> here_;  // at the current point
+  std::vector<Opening> placed_;
+};
 
 class Joining {
  public:
@@ -34,7 +173,7 @@ class Joining {
  private:
   [[nodiscard]] bool is_of(FacetId f, BandId band) const { return bands_.band_of[f.index()] == band; }
 
-  // What a band's sweep says of other facets than its own is not used.
+  // Only what a band's sweep says of its own facets is used.
   void drop_foreign(BandId band) {
     VisibleSegments& swept = swept_[band.index()];
     std::erase_if(swept.threads, [&](const Thread& t) { return !is_of(t.facet, band); });
@@ -52,7 +191,7 @@ class Joining {
     for (EdgeSplit& split : swept_[band.index()].splits) visit(split.point);
   }
 
-  // Per crossing of the band's sweep whether what is used of the band has it as a point.
+  // Returns, per crossing of the band's sweep, whether what is used of the band has it as a point.
   [[nodiscard]] std::vector<std::uint8_t> used_crossings(BandId band) {
     const std::size_t vertices = scene_.points.size();
     std::vector<std::uint8_t> used(swept_[band.index()].crossings.size(), 0);
@@ -99,7 +238,8 @@ class Joining {
     splits.erase(std::unique(splits.begin(), splits.end()), splits.end());
   }
 
-  // In the order in which they open; those of one point by band, and those of one band from left to right.
+  // Openings come in the order in which they open; those of one point by band, and those of one band from left to
+  // right.
   [[nodiscard]] std::vector<Opening> collect_swept() {
     std::vector<Opening> all;
     new_name_.resize(swept_.size());
@@ -118,14 +258,14 @@ class Joining {
     return all;
   }
 
-  // Points by ranges, each by one thread. Nothing opens below all points.
+  // Points are divided into ranges, and each range is one thread's. Nothing opens below all points.
   void place_segments(const std::vector<Opening>& from_bands) {
     const std::size_t points = scene_.points.size();
     std::vector<std::vector<Opening>> parts(range_count(points));
     parallel_for_ranges(points, [&](std::size_t range, std::size_t begin, std::size_t end) {
       const auto first = begin == 0 ? from_bands.begin()
                                     : std::ranges::upper_bound(from_bands, PointId(begin - 1), order_, &Opening::upper);
-      parts[range] = openings_at(scene_, continuation_, roles_, order_, {first, from_bands.end()}, begin, end);
+      parts[range] = OpeningFinder(scene_, continuation_, roles_, order_, {first, from_bands.end()}).find(begin, end);
     });
     std::vector<std::size_t> placed_before{0};
     for (const auto& part : parts) placed_before.push_back(placed_before.back() + part.size());

@@ -70,7 +70,7 @@ class PartBuilder {
     scene.polygon_begin.resize(whole_.status.size() + 1, static_cast<std::uint32_t>(scene.polygon_corners.size()));
   }
 
-  // Of the corner that is added next.
+  // The made corner is that of the corner that is added next.
   MadeCornerId add_made(MadeCorner made) {
     made.corner = static_cast<std::uint32_t>(part_.scene.polygon_corners.size());
     part_.scene.made_corners.push_back(made);
@@ -97,8 +97,8 @@ class PartBuilder {
   ScenePart part_;
 };
 
-// Gives the points of a part's sweep their ids in the whole. A vertex that the part does not have may lie where edges of
-// it cross: then the crossing is that vertex.
+// Gives the points of a part's sweep their ids in the whole. A vertex that the part does not have may lie where edges
+// of it cross: then the crossing is that vertex.
 class PointNames {
  public:
   PointNames(const ProjectedScene& whole, const ScenePart& part, std::vector<Crossing>& crossings)
@@ -122,7 +122,7 @@ class PointNames {
   }
 
  private:
-  // Of the whole's points from the part's last one before the crossing to the part's next one.
+  // The point is among the whole's points from the part's last one before the crossing to the part's next one.
   [[nodiscard]] PointId first_not_before(const CrossingPoint& place, PointId next) const {
     const auto at = [this](std::size_t i) { return whole_.points.begin() + static_cast<std::ptrdiff_t>(i); };
     const auto begin = at(next.index() == 0 ? 0 : part_.point[next.index() - 1].index());

@@ -6,7 +6,7 @@
 namespace sightline::inline sweep {
 namespace {
 
-// What a coordinate of a point on an edge is off by at most, with its rounding outwards: the quotient, the product and
+// A coordinate of a point on an edge is off by at most this, with its rounding outwards: the quotient, the product and
 // the sum round a number below 2^42 by 2^-10 together.
 constexpr double margin = 1;
 
@@ -20,7 +20,7 @@ struct Extent {
   }
 };
 
-// Adds the x of what of the edge lies between two heights.
+// Adds the x of that part of the edge that lies between two heights.
 void add_between(const ImagePoint& a, const ImagePoint& b, double bottom, double top, Extent& extent) {
   const auto low = static_cast<double>(std::min(a.y, b.y));
   const auto high = static_cast<double>(std::max(a.y, b.y));

@@ -12,12 +12,13 @@
 #include <span>
 
 #include "geometry/numbers/image_point.h"
+#include "geometry/projection/projected_scene.h"
 
 namespace sightline::inline sweep {
 
 using CellIndex = std::uint32_t;
 
-// Cells in a rectangle, its ends included.
+// The range has the cells in a rectangle, its ends included.
 struct CellRange {
   std::uint16_t left = 0;
   std::uint16_t bottom = 0;
@@ -27,9 +28,21 @@ struct CellRange {
   [[nodiscard]] bool is_narrow() const { return left == right || bottom == top; }
 };
 
+// A facet's rounded polygon is given to the grid as plain points.
+class FacetOutline {
+ public:
+  FacetOutline(const ProjectedScene& scene, FacetId f) {
+    for (const ClippedCorner& corner : scene.polygon(f)) points_.push_back(scene.point(corner.point));
+  }
+  [[nodiscard]] std::span<const ImagePoint> points() const { return {points_.data(), points_.size()}; }
+
+ private:
+  boost::container::small_vector<ImagePoint, 6> points_;
+};
+
 class CellGrid {
  public:
-  // 2^level cells along each side.
+  // The grid has 2^level cells along each side.
   CellGrid(int grid_bits, int level);
 
   [[nodiscard]] unsigned side() const { return 1U << level_; }
@@ -38,12 +51,12 @@ class CellGrid {
   [[nodiscard]] ImagePoint centre(unsigned column, unsigned row) const;
   [[nodiscard]] std::int64_t cell_size() const { return std::int64_t{1} << shift_; }
 
-  // Whether an edge runs along the window's border. What it belongs to does not end there for a cell.
+  // Returns whether an edge runs along the window's border. What it belongs to does not end there for a cell.
   [[nodiscard]] bool is_on_border(const ImagePoint& a, const ImagePoint& b) const {
     return (a.x == b.x && std::abs(a.x) == half_window_) || (a.y == b.y && std::abs(a.y) == half_window_);
   }
 
-  // The cells that the points' bounding box touches. Precondition: there is a point.
+  // Returns the cells that the points' bounding box touches. Precondition: there is a point.
   [[nodiscard]] CellRange range_of(std::span<const ImagePoint> points) const;
 
   // Calls visit(column, row) for the cells that the segment from a to b touches.

@@ -7,11 +7,11 @@
 namespace sightline::inline sweep {
 namespace {
 
-// +1 where the eye sees the facet's polygon counter-clockwise.
+// Returns +1 where the eye sees the facet's polygon counter-clockwise.
 Sign turn_of(const ProjectedScene& scene, FacetId f) { return scene.facing[f.index()] == Facing::back ? -1 : 1; }
 
-// Whether the rounded polygon is convex, without straight or turned corners, and runs around once: then the triangles
-// of its fan have area, too.
+// Returns whether the rounded polygon is convex, without straight or turned corners, and runs around once: then the
+// triangles of its fan have area, too.
 bool is_proper(const ProjectedScene& scene, FacetId f) {
   const auto corners = scene.polygon(f);
   const Sign turn = turn_of(scene, f);
@@ -32,8 +32,8 @@ std::vector<std::uint8_t> proper_facets(const ProjectedScene& scene) {
   return proper;
 }
 
-// Invalid ids where the surface does not simply continue. A side's winding has the facet's turn where the facet lies
-// right of the edge.
+// Ids are invalid where the surface does not simply continue. A side's winding has the facet's turn where the facet
+// lies right of the edge.
 Neighbours neighbours_across(const ProjectedScene& scene, EdgeId e, const std::vector<std::uint8_t>& proper) {
   const auto sides = scene.sides_of(e);
   if (sides.size() != 2 || !sides[0].mesh_edge.valid() || sides[0].mesh_edge != sides[1].mesh_edge) return {};

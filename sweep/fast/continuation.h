@@ -6,10 +6,10 @@
 //      than two facets, one where different edges of the mesh fall on each other, one of a facet that rounding has
 //      turned over.
 // Holds: a facet with an edge that is no contour edge is proper: it is in view, its rounded polygon is convex, not
-//      degenerate, and turns as the facet does. So the facets that continue each other cover what they cover of the image
-//      once.
+//      degenerate, and turns as the facet does. So the facets that continue each other cover what they cover of the
+//      image once.
 // Complexity: O(n).
-// Source: DESIGN.md section 8, idea 1.
+// Source: docs/how-it-works.md, "What nothing comes near is seen whole".
 #pragma once
 
 #include <cstdint>
@@ -31,10 +31,10 @@ class Continuation {
 
   [[nodiscard]] bool is_contour(EdgeId e) const { return !neighbours_[e.index()].left.valid(); }
   [[nodiscard]] bool is_proper(FacetId f) const { return proper_[f.index()] != 0; }
-  // Invalid ids at a contour edge.
+  // The ids are invalid at a contour edge.
   [[nodiscard]] const Neighbours& across(EdgeId e) const { return neighbours_[e.index()]; }
 
-  // Per corner of the facet's polygon the edge to the next corner; invalid where both are one point.
+  // Returns, per corner of the facet's polygon, the edge to the next corner; it is invalid where both are one point.
   [[nodiscard]] std::span<const EdgeId> edges_of(const ProjectedScene& scene, FacetId f) const {
     const auto first = scene.polygon_begin[f.index()];
     return std::span(edges_).subspan(first, scene.polygon_begin[f.index() + 1] - first);

@@ -3,12 +3,12 @@
 #include <tbb/enumerable_thread_specific.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
+#include "geometry/mesh/facet_plane.h"
+#include "geometry/numbers/grouping.h"
 #include "geometry/numbers/parallel.h"
-#include "sweep/fast/facet_outline.h"
-#include "sweep/fast/facets_by_cell.h"
-#include "sweep/fast/whole_surfaces.h"
 #include "sweep/plain/depth_order.h"
 
 namespace sightline::inline sweep {
@@ -17,8 +17,8 @@ namespace {
 // After so many sheets over a cell's centre that do not cover it, no more are tried.
 constexpr std::size_t most_failures = 4;
 
-// Whether an edge certainly misses a square: its line passes the centre further away than the corners are. The products are
-// off by less than 2^-50 of their absolute values.
+// Returns whether an edge certainly misses a square: its line passes the centre further away than the corners are. The
+// products are off by less than 2^-50 of their absolute values.
 bool misses(const ImagePoint& a, const ImagePoint& b, const ImagePoint& centre, std::int64_t cell_size) {
   const double half = static_cast<double>(cell_size) / 2;
   const auto ax = static_cast<double>(a.x - centre.x);
@@ -42,7 +42,7 @@ bool boxes_are_apart(std::span<const ImagePoint> a, std::span<const ImagePoint> 
   return apart([](const ImagePoint& p) { return p.x; }) || apart([](const ImagePoint& p) { return p.y; });
 }
 
-// Whether all the points are on the outer side of an edge of a convex polygon with this turn, or on its line.
+// Returns whether all the points are on the outer side of an edge of a convex polygon with this turn, or on its line.
 bool is_beyond_an_edge(std::span<const ImagePoint> points, std::span<const ImagePoint> polygon, Sign turn) {
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const ImagePoint& next = polygon[i + 1 == polygon.size() ? 0 : i + 1];
@@ -52,7 +52,38 @@ bool is_beyond_an_edge(std::span<const ImagePoint> points, std::span<const Image
   return false;
 }
 
-// Looks at some of the cells, and counts for each facet in how many of them it is not in front.
+// Returns, per cell, how many facets may be over its centre, up to two.
+std::vector<std::uint8_t> count_over_centre(const FacetCells& cells, const CellGrid& grid, std::size_t facets) {
+  std::vector<std::uint8_t> count(grid.cell_count(), 0);
+  parallel_for_each(facets, [&](std::size_t f) {
+    for (const FacetCell& cell : cells.of(FacetId(f))) {
+      std::atomic_ref of_cell(count[cell.cell()]);
+      std::uint8_t before = of_cell.load(std::memory_order_relaxed);
+      while (cell.over_centre() && before < 2 && !of_cell.compare_exchange_weak(before, before + 1)) continue;
+    }
+  });
+  return count;
+}
+
+struct CellFacet {
+  FacetId facet;
+  bool over_centre = false;
+};
+
+// Returns the facets that touch the cells with two over their centre, in no order: where there are fewer, no second
+// sheet is looked for.
+Grouping<CellFacet> facets_by_cell(const FacetCells& cells, const std::vector<std::uint8_t>& over_centre,
+                                   std::size_t facets) {
+  return Grouping<CellFacet>(over_centre.size(), [&](const auto& visit) {
+    parallel_for_each(facets, [&](std::size_t f) {
+      for (const FacetCell& cell : cells.of(FacetId(f))) {
+        if (over_centre[cell.cell()] > 1) visit(cell.cell(), CellFacet{FacetId(f), cell.over_centre()});
+      }
+    });
+  });
+}
+
+// This looks at some of the cells, and counts for each facet in how many of them it is not in front.
 class CoverFinder {
  public:
   CoverFinder(const ProjectedScene& scene, const std::vector<DepthRange>& depths, const Continuation& continuation,
@@ -96,8 +127,8 @@ class CoverFinder {
     std::ranges::sort(over_centre_, {}, [this](FacetId f) { return std::pair(depths_[f.index()].farthest, f); });
   }
 
-  // The sheet of a facet over the centre that covers the cell, and no other's that is tried lies before it: its facets are in
-  // front, and have the last mark.
+  // The cover is the sheet of a facet over the centre that covers the cell, where no other sheet that is tried lies
+  // before it. Its facets are in front, and have the last mark.
   bool find_cover() {
     FacetId cover;
     std::size_t failed = 0;
@@ -112,7 +143,7 @@ class CoverFinder {
     return cover.valid() && flood_cover(cover);
   }
 
-  // False where the sheet meets a contour edge in the cell.
+  // Returns false where the sheet meets a contour edge in the cell.
   bool flood_cover(FacetId first) {
     ++marks_;
     cover_farthest_ = -std::numeric_limits<double>::infinity();
@@ -191,7 +222,7 @@ class CoverFinder {
   std::vector<std::uint32_t> hidden_cells_;  // per facet: in how many cells it is not in front
   std::uint32_t marks_ = 0;
 
-  // Of the current cell:
+  // These belong to the current cell.
   CellIndex cell_ = 0;
   ImagePoint centre_;
   std::vector<FacetId> over_centre_;
@@ -219,6 +250,17 @@ Covers find_covers(const ProjectedScene& scene, const std::vector<DepthRange>& d
   });
   keep_surfaces_whole(scene, covers.hidden);
   return covers;
+}
+
+void keep_surfaces_whole(const ProjectedScene& scene, std::vector<std::uint8_t>& hidden) {
+  const CutMesh& mesh = scene.mesh();
+  parallel_for_each(hidden.size(), [&](std::size_t begin) {
+    if (surface_of(mesh, FacetId(begin)) != FacetId(begin)) return;
+    const std::size_t end = end_of_surface(mesh, FacetId(begin)).index();
+    std::size_t seen = 0;
+    for (std::size_t f = begin; f < end; ++f) seen += scene.status[f] == Status::in_view && hidden[f] == 0 ? 1 : 0;
+    if (seen > 0) std::fill_n(hidden.begin() + static_cast<std::ptrdiff_t>(begin), end - begin, std::uint8_t{0});
+  });
 }
 
 }  // namespace sightline::inline sweep

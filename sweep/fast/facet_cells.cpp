@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "geometry/numbers/parallel.h"
-#include "sweep/fast/facet_outline.h"
 
 namespace sightline::inline sweep {
 namespace {
@@ -13,7 +12,7 @@ namespace {
 // The products of a cross product of differences are off by less than this part of their absolute values.
 constexpr double product_error = 0x1p-50;
 
-// An edge as a line: where points lie across it, and how far a cell reaches.
+// A line is an edge that says where points lie across it, and how far a cell reaches.
 struct Line {
   ImagePoint a;
   ImagePoint b;
@@ -38,7 +37,7 @@ struct Line {
     const double right = dy * static_cast<double>(p.x - a.x);
     return {left - right, product_error * (std::fabs(left) + std::fabs(right))};
   }
-  // +1 where p is to the left.
+  // Returns +1 where p is to the left.
   [[nodiscard]] Sign side(const ImagePoint& p) const {
     const Across at = across(p);
     if (std::fabs(at.value) > at.error) return at.value > 0 ? 1 : -1;
@@ -46,7 +45,8 @@ struct Line {
   }
 };
 
-// A triangle against cells: they are apart where an edge's line parts them (the box's own axes are its cell range).
+// This tests a triangle against cells: they are apart where an edge's line parts them (the box's own axes are its cell
+// range).
 class TriangleInCells {
  public:
   TriangleInCells(std::span<const ImagePoint> corners, const CellGrid& grid) {
@@ -83,7 +83,7 @@ bool is_over(std::span<const ImagePoint> outline, const ImagePoint& p, Sign turn
   return true;
 }
 
-// Going through all cells of the bounding box pays up to here.
+// Up to this size it pays to go through all cells of the bounding box.
 bool is_small(const CellRange& range) { return (range.right - range.left + 1) * (range.top - range.bottom + 1) <= 16; }
 
 class CellsOfFacets {

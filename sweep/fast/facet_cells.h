@@ -1,9 +1,9 @@
 // Per facet the cells of the image that it touches.
 //
 // In:  a projected scene, its proper facets (continuation.h), a grid of cells, and facets that are known to be hidden.
-// Out: per facet in view that is not among these the cells that its rounded polygon touches, each with whether the polygon,
-//      its border included, is over the cell's centre; exactly so of a proper facet, any other one may be over every centre.
-//      A few cells more than it touches are named, never one too few.
+// Out: per facet in view that is not among these the cells that its rounded polygon touches, each with whether the
+//      polygon, its border included, is over the cell's centre; exactly so of a proper facet, any other one may be over
+//      every centre. A few cells more than it touches are named, never one too few.
 // Complexity: O(n) and the cells.
 #pragma once
 

@@ -5,7 +5,6 @@
 
 #include "geometry/numbers/parallel.h"
 #include "sweep/fast/cell_grid.h"
-#include "sweep/fast/facet_outline.h"
 
 namespace sightline::inline sweep {
 namespace {
@@ -27,7 +26,7 @@ class LargeCovers {
         behind_cell_(cells_.cell_count(), infinity),
         behind_tile_(tiles_.cell_count(), infinity) {}
 
-  // The nearest first, so that they hide what would cover less. What is hidden by some stays hidden by all.
+  // The nearest come first, so that they hide what would cover less. What is hidden by some stays hidden by all.
   std::vector<std::uint8_t> hidden() {
     std::vector<std::uint8_t> hidden(scene_.status.size(), 0);
     const std::vector<FacetId> large = large_facets();
@@ -101,8 +100,8 @@ class LargeCovers {
     behind_tile_[tiles_.cell(column, row)] = behind;
   }
 
-  // Whether all edges inside the window certainly pass the cell on the left of it as the facet turns: then the facet's
-  // rounded polygon covers it. The products are off by less than 2^-50 of their absolute values.
+  // Returns whether all edges inside the window certainly pass the cell on the left of it as the facet turns: then the
+  // facet's rounded polygon covers it. The products are off by less than 2^-50 of their absolute values.
   [[nodiscard]] bool covers(FacetId f, std::span<const ImagePoint> outline, const ImagePoint& centre) const {
     const double turn = scene_.facing[f.index()] == Facing::back ? -1 : 1;
     const double half = static_cast<double>(cells_.cell_size()) / 2;

@@ -28,7 +28,7 @@ class RoleFinder {
  private:
   [[nodiscard]] bool is_hidden(FacetId f) const { return covers_.hidden[f.index()] != 0; }
 
-  // Cells with one sheet that no contour edge touches.
+  // A cell is clear where it has one sheet and no contour edge touches it.
   [[nodiscard]] std::vector<std::uint8_t> clear_cells() const {
     std::vector<std::uint8_t> clear = covers_.one_sheet;
     parallel_for_each(scene_.edge_count(), [&](std::size_t e) {
@@ -42,7 +42,8 @@ class RoleFinder {
     return clear;
   }
 
-  // Where a facet that may be seen ends and no other that may be seen continues it. What is hidden anyway has no contour.
+  // A contour is where a facet that may be seen ends and no other that may be seen continues it. What is hidden anyway
+  // has no contour.
   [[nodiscard]] bool is_contour(EdgeId e) const {
     if (!continuation_.is_contour(e)) {
       const Neighbours& across = continuation_.across(e);
@@ -52,7 +53,7 @@ class RoleFinder {
     return std::any_of(sides.begin(), sides.end(), [this](const EdgeSide& side) { return !is_hidden(side.facet); });
   }
 
-  // A facet that is all of its surface, and whose cells are all clear.
+  // A facet is plain where it is all of its surface and all its cells are clear.
   [[nodiscard]] bool is_plain(FacetId f, const std::vector<std::uint8_t>& clear) const {
     const FacetId surface = surface_of(mesh_, f);
     return end_of_surface(mesh_, surface).index() == surface.index() + 1 &&

@@ -1,11 +1,12 @@
 // What the sweep has to look at.
 //
-// In:  a mesh, its projected scene, where the surface continues, what covers hide, a grid of cells and the cells of facets.
+// In:  a mesh, its projected scene, where the surface continues, what covers hide, a grid of cells and the cells of
+//      facets.
 // Out: per facet its role.
 // Holds: in the cells that a plain facet touches there is one sheet of facets that may be seen, and no contour edge of
 //      these; so all of it is seen, and its neighbours are seen along its edges.
 // Complexity: O(n) and the cells that contour edges touch.
-// Source: DESIGN.md section 8, idea 1.
+// Source: docs/how-it-works.md, "What nothing comes near is seen whole".
 #pragma once
 
 #include <vector>
@@ -19,7 +20,7 @@
 
 namespace sightline::inline sweep {
 
-// What becomes of a facet. A role that is not listed here does not exist.
+// The role says what becomes of a facet. A role that is not listed here does not exist.
 enum class Role : std::uint8_t {
   absent,  // not in view
   hidden,  // behind covers

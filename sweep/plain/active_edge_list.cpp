@@ -36,7 +36,8 @@ void ActiveEdgeList::link(BundleId b, BundleId left) {
   (right.valid() ? entry(right).previous : last_) = b;
 }
 
-// As a leaf: the right child of its list predecessor, or, where that has one, the left child of its list successor.
+// The entry becomes a leaf: the right child of its list predecessor, or, where that has one, the left child of its list
+// successor.
 void ActiveEdgeList::attach(BundleId b, BundleId left) {
   Entry& self = entry(b);
   if (!root_.valid()) {
@@ -99,7 +100,7 @@ bool ActiveEdgeList::computed_visibility(BundleId b) const {
   return entry(b).visible || subtree_visible(entry(b).left) || subtree_visible(entry(b).right);
 }
 
-// Upwards from b as far as anything changes.
+// Updates upwards from b as far as anything changes.
 void ActiveEdgeList::update_visibility(BundleId b) {
   for (; b.valid(); b = entry(b).parent) {
     const bool visible = computed_visibility(b);
@@ -117,7 +118,7 @@ void ActiveEdgeList::visibility_changed(BundleId b) {
 BundleId ActiveEdgeList::nearest_visible_before(BundleId b) const {
   BundleId from = entry(b).left;
   if (!subtree_visible(from)) {
-    // Up to the first ancestor that lies left of b and is visible, or has a visible left subtree.
+    // Climbs to the first ancestor that lies left of b and is visible, or has a visible left subtree.
     BundleId child = b;
     BundleId a = entry(b).parent;
     while (a.valid() && (entry(a).left == child || !(entry(a).visible || subtree_visible(entry(a).left)))) {

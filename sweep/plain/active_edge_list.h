@@ -19,7 +19,7 @@ namespace sightline::inline sweep {
 
 using BundleId = Id<struct BundleTag>;
 
-// A visible segment that has not reached its lower end yet.
+// An open segment is visible and has not reached its lower end yet.
 struct OpenSegment {
   SegmentId segment;  // invalid: none
   EdgeId edge;        // the edge it runs along
@@ -42,7 +42,7 @@ class ActiveEdgeList {
  public:
   explicit ActiveEdgeList(std::size_t edge_count) : bundle_of_edge_(edge_count) {}
 
-  // The bundle an active edge is in; invalid for an edge that is not active.
+  // Returns the bundle an active edge is in; invalid for an edge that is not active.
   [[nodiscard]] BundleId bundle_of(EdgeId e) const { return bundle_of_edge_[e.index()]; }
   void set_edges(BundleId b, std::span<const EdgeId> edges);
   void deactivate(EdgeId e) { bundle_of_edge_[e.index()] = BundleId{}; }
@@ -59,14 +59,14 @@ class ActiveEdgeList {
   BundleId insert_after(BundleId left);
   void erase(BundleId b);
 
-  // To be called when bundle b has become visible or invisible.
+  // This is called when bundle b has become visible or invisible.
   void visibility_changed(BundleId b);
 
-  // The nearest visible bundle left of b, or invalid.
+  // Returns the nearest visible bundle left of b, or invalid.
   [[nodiscard]] BundleId nearest_visible_before(BundleId b) const;
 
-  // The first bundle for which `left_of_point(bundle)` is false, or invalid; the predicate is true for a prefix of the
-  // list.
+  // Returns the first bundle for which `left_of_point(bundle)` is false, or invalid; the predicate is true for a prefix
+  // of the list.
   template <class Predicate>
   [[nodiscard]] BundleId find(Predicate left_of_point) const {
     BundleId found;

@@ -37,7 +37,7 @@ bool DepthOrder::nearer(FacetId f, FacetId g) {
   return f < g ? lower_is_nearer(f, g) : !lower_is_nearer(g, f);
 }
 
-// f has the lower facet index, and with it the lower or the same face index.
+// Precondition: f has the lower facet index, and with it the lower or the same face index.
 bool DepthOrder::lower_is_nearer(FacetId f, FacetId g) {
   const WholeId of_f = whole_of(f);
   const WholeId of_g = whole_of(g);
@@ -78,7 +78,7 @@ DepthOrder::Evidence DepthOrder::overlap_evidence(WholeId f, WholeId g) {
   return evidence;
 }
 
-// Whether the ray from the eye to v meets the facet, its border included.
+// Returns whether the ray from the eye to v meets the facet, its border included.
 bool DepthOrder::covers(WholeId f, VertexId v) {
   const auto around = corners(f);
   const Sign turn = is_turned(f) ? -1 : 1;
@@ -109,7 +109,7 @@ void DepthOrder::add_edge_crossings(WholeId f, WholeId g, Evidence& evidence) {
   }
 }
 
-// +1 where v is on the eye's side of the facet's plane. A corner of the facet is on the plane by index, without
+// Returns +1 where v is on the eye's side of the facet's plane. A corner of the facet is on the plane by index, without
 // arithmetic.
 Sign DepthOrder::side_towards_eye(WholeId plane, VertexId v) {
   const VertexId welded = mesh_.weld[v.index()];
@@ -126,14 +126,14 @@ std::array<VertexId, 3> DepthOrder::plane_of(WholeId w) const {
   return plane;
 }
 
-// +1 where the eye sees a, b, c counter-clockwise.
+// Returns +1 where the eye sees a, b, c counter-clockwise.
 Sign DepthOrder::seen_orientation(VertexId a, VertexId b, VertexId c) {
   const auto welded = [this](VertexId v) { return mesh_.weld[v.index()]; };
   if (welded(a) == welded(c) || welded(b) == welded(c)) return 0;
   return orientation(a, b, c, eye_);
 }
 
-// orient3d in the scene's arithmetic.
+// Returns orient3d in the scene's arithmetic.
 Sign DepthOrder::orientation(VertexId a, VertexId b, VertexId c, const HomogeneousPoint& d) {
   const Point3& pa = mesh_.position(a);
   const Point3& pb = mesh_.position(b);

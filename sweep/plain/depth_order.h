@@ -3,14 +3,14 @@
 // In:  two facets that overlap somewhere in the image, do not pass through each other and are not edge-on.
 // Out: whether the first is nearer to the eye there.
 // Holds: facets that do not pass through each other have one order wherever they overlap, since both are convex and
-// planar; so the answer does not depend on the place. nearer(f, g) != nearer(g, f). Coplanar facets: the lower face index
-// is in front. Pieces of facets that were cut along common lines have the order of the wholes, or, where these cross, one
-// of their own (piece_order.h).
-// Method: if all of one facet is less deep than all of the other (depth_ranges.h), it is nearer. If all of one facet is on
-// one side of the other's plane, that side decides. Otherwise they straddle each
-// other's planes, and a place where they overlap is found: a corner of one within the other, or edges of both that
-// cross, seen from the eye. Such a place shows the order by one orient3d. Facets that overlap in the rounded image only
-// (narrower than the grid) show no place; the lower facet index is in front.
+// planar; so the answer does not depend on the place. nearer(f, g) != nearer(g, f). Coplanar facets: the lower face
+// index is in front. Pieces of facets that were cut along common lines have the order of the wholes, or, where these
+// cross, one of their own (piece_order.h).
+// Method: if all of one facet is less deep than all of the other (depth_ranges.h), it is nearer. If all of one facet is
+// on one side of the other's plane, that side decides. Otherwise they straddle each other's planes, and a place where
+// they overlap is found: a corner of one within the other, or edges of both that cross, seen from the eye. Such a place
+// shows the order by one orient3d. Facets that overlap in the rounded image only (narrower than the grid) show no
+// place; the lower facet index is in front.
 // Departure from Fang's appendix B, which compares depths at the sweep point: that needs the rounded point lifted, and
 // cannot be exact.
 // In float and double (arithmetic.h) the signs are plain evaluations: nearer(f, g) != nearer(g, f) and the rule of
@@ -37,7 +37,7 @@ class DepthOrder {
 
   [[nodiscard]] bool nearer(FacetId f, FacetId g);
 
-  // Unbounded where no ranges are known.
+  // The range is unbounded where no ranges are known.
   [[nodiscard]] DepthRange range(FacetId f) const {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     return ranges_.empty() ? DepthRange{-infinity, infinity} : ranges_[f.index()];
@@ -47,7 +47,7 @@ class DepthOrder {
   [[nodiscard]] std::uint64_t comparisons() const { return comparisons_; }
 
  private:
-  // How many places show the first facet in front, and how many behind.
+  // The evidence counts how many places show the first facet in front, and how many behind.
   struct Evidence {
     int front = 0;
     int behind = 0;
@@ -67,7 +67,7 @@ class DepthOrder {
   [[nodiscard]] Evidence overlap_evidence(WholeId f, WholeId g);
   [[nodiscard]] bool covers(WholeId f, VertexId v);
   void add_edge_crossings(WholeId f, WholeId g, Evidence& evidence);
-  // Three corners, so turned that the eye sees them counter-clockwise.
+  // Returns three corners, so turned that the eye sees them counter-clockwise.
   [[nodiscard]] std::array<VertexId, 3> plane_of(WholeId w) const;
   [[nodiscard]] Sign side_towards_eye(WholeId plane, VertexId v);
   [[nodiscard]] Sign seen_orientation(VertexId a, VertexId b, VertexId c);

@@ -9,9 +9,9 @@
 namespace sightline::inline sweep {
 namespace {
 
-// forward . (p - origin): a corner that clipping or cutting made is rounded once (1 u of its coordinates), the difference once, the
-// product once, and the sums twice: 5 u of the absolute values, and 8 u covers the roundings of the bound. An underflow
-// costs less than 2^-1000.
+// The depth is forward . (p - origin). A corner that clipping or cutting made is rounded once (1 u of its coordinates),
+// the difference once, the product once, and the sums twice: 5 u of the absolute values, and 8 u covers the roundings
+// of the bound. An underflow costs less than 2^-1000.
 struct Depth {
   double value = 0;
   double error = 0;

@@ -1,8 +1,8 @@
 // How near and how far what is in view of each facet is.
 //
 // In:  a mesh and its projected scene.
-// Out: per facet an interval that contains the depths (along the view direction) of its polygon in the view volume, with
-//      all errors of rounding; empty for a facet that is not in view.
+// Out: per facet an interval that contains the depths (along the view direction) of its polygon in the view volume,
+//      with all errors of rounding; empty for a facet that is not in view.
 // Holds: where a facet's interval lies behind another's, the other is in front wherever both are in the image.
 // Complexity: O(n).
 #pragma once

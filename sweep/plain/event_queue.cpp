@@ -13,7 +13,8 @@ constexpr auto same_pair = [](const CrossingEvent& a, const CrossingEvent& b) { 
 
 }  // namespace
 
-// A pair is in the heap once for each time its edges became neighbours: that often, and it needs no arithmetic.
+// A pair is in the heap once for each time its edges became neighbours. So equal pairs are often compared, which needs
+// no arithmetic.
 template <class Decisions>
 int EventQueue<Decisions>::compare(const CrossingEvent& a, const CrossingEvent& b) const {
   if (const int by_height = Decisions::compare_heights(a.height, b.height); by_height != 0) return by_height;

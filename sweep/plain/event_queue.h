@@ -2,8 +2,8 @@
 //
 // Vertices are sorted once, as the scene's points; crossings wait in a heap. All that coincides, exactly, is one
 // sweep point.
-// A crossing waits as its height, rounded, and its two edges: most comparisons need no more than heights, and the others
-// compute the place anew.
+// A crossing waits as its height, rounded, and its two edges: most comparisons need no more than heights, and the
+// others compute the place anew.
 // Complexity: O(log k) per crossing, O(1) per vertex.
 // Source: Fang 1993, appendix B (the priority queue and DeleteSameSPs).
 #pragma once
@@ -28,7 +28,7 @@ struct SweepPoint {
   boost::container::small_vector<CrossingEvent, 2> crossings;  // distinct pairs, by their edges
 };
 
-// Decisions: see image_decisions.h.
+// The decisions are those of image_decisions.h.
 template <class Decisions>
 [[nodiscard]] typename Decisions::Place place_of(const ProjectedScene& scene, const CrossingEvent& crossing) {
   const SceneEdge& a = scene.edge(crossing.a);
@@ -41,10 +41,10 @@ class EventQueue {
  public:
   explicit EventQueue(const ProjectedScene& scene) : scene_(&scene) {}
 
-  // Two edges that cross: a is left of b above the point.
+  // Adds two edges that cross: a is left of b above the point.
   void add(EdgeId a, EdgeId b);
 
-  // Takes the next sweep point with everything that happens there. False where none is left.
+  // Takes the next sweep point with everything that happens there. Returns false where none is left.
   [[nodiscard]] bool next(SweepPoint& point);
 
  private:

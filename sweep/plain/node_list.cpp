@@ -10,7 +10,7 @@
 namespace sightline::inline sweep {
 namespace {
 
-// Per facet, by how much its winding number changes.
+// A change says by how much the winding number of a facet changes.
 using Changes = boost::container::small_vector<Node, 8>;
 
 template <class Nodes>
@@ -19,7 +19,7 @@ void drop_zeros(Nodes& nodes) {
   nodes.erase(std::remove_if(nodes.begin(), nodes.end(), is_zero), nodes.end());
 }
 
-// One change per facet, by facet, none of them 0. A bundle may have several sides of one facet.
+// Returns one change per facet, sorted by facet, none of them 0. A bundle may have several sides of one facet.
 Changes changes_of(std::span<const EdgeSide> sides) {
   Changes changes;
   for (const EdgeSide& side : sides) changes.push_back({side.facet, side.winding});
@@ -38,7 +38,7 @@ Node* change_of(FacetId facet, Changes& changes) {
   return found->facet == facet ? &*found : nullptr;
 }
 
-// Those that are not deeper than all of another. The list is sorted by where depths begin.
+// Returns those facets that are not deeper than all of another. The list is sorted by where depths begin.
 std::vector<FacetId> in_range(std::span<const Node> nodes, const DepthOrder& depth) {
   std::vector<FacetId> facets;
   double least_deep_end = std::numeric_limits<double>::infinity();
@@ -85,8 +85,8 @@ std::uint64_t NodeList::fingerprint_of(std::span<const EdgeSide> sides) {
   return sum;
 }
 
-// stays: whether the topmost facet stays what it is where it does not leave and nothing nearer enters. Both return whether
-// that is so.
+// `stays` says whether the topmost facet stays what it is where it does not leave and nothing nearer enters. Both
+// return whether that is so.
 bool NodeList::cross_one(const EdgeSide& side, bool stays, DepthOrder& depth) {
   const auto found = std::ranges::find(nodes_, side.facet, &Node::facet);
   if (found == nodes_.end()) {
@@ -99,7 +99,7 @@ bool NodeList::cross_one(const EdgeSide& side, bool stays, DepthOrder& depth) {
   return stays && side.facet != topmost_;
 }
 
-// One pass over the list, however many facets change: thousands of edges may coincide.
+// One pass over the list has to do, however many facets change: thousands of edges may coincide.
 bool NodeList::cross_all(std::span<const EdgeSide> sides, bool stays, DepthOrder& depth) {
   Changes changes = changes_of(sides);
   for (Node& node : nodes_) {
@@ -144,7 +144,7 @@ std::vector<FacetId> NodeList::top_cycle(DepthOrder& depth) const {
   return top_cycle_of(in_range(nodes(), depth), depth);
 }
 
-// Those after it have met it.
+// Only the nodes before it are asked: those after it have met it.
 bool NodeList::is_nearest(std::size_t node, DepthOrder& depth) const {
   return std::ranges::all_of(nodes().first(node),
                              [&](const Node& other) { return depth.nearer(nodes_[node].facet, other.facet); });

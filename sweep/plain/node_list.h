@@ -1,15 +1,15 @@
 // The node list: the facets over one span of the sweep line, and which of them is the topmost (Fang 5.3.1).
 //
-// Holds: no facet twice, no winding number 0. Right of a bundle = left of it, minus the facets that leave, plus those that
-// enter. The topmost facet depends on the facets in the list alone, not on the way that led to them.
-// The topmost facet is the one that is nearer than all others. Where facets overlap in the rounded image only, DepthOrder
-// need not be transitive, and there may be none. In general, therefore: in range are the facets that are not deeper than
-// all of another one; their top cycle is the smallest set of them each of which is nearer than all that are not in it; the
-// topmost facet is the one with the lowest index in the top cycle. So what is behind all of the top cycle, or deeper than
-// all of another facet, may be missing (covers.h).
-// Departure from Fang, who keeps the list sorted by depth: here it is sorted by where the facets' depths begin, which takes
-// no predicates, and the topmost one is kept. A facet that enters is compared with that one alone, and most lists are never asked
-// for more.
+// Holds: no facet twice, no winding number 0. Right of a bundle = left of it, minus the facets that leave, plus those
+// that enter. The topmost facet depends on the facets in the list alone, not on the way that led to them.
+// The topmost facet is the one that is nearer than all others. Where facets overlap in the rounded image only,
+// DepthOrder need not be transitive, and there may be none. In general, therefore: in range are the facets that are not
+// deeper than all of another one; their top cycle is the smallest set of them each of which is nearer than all that are
+// not in it; the topmost facet is the one with the lowest index in the top cycle. So what is behind all of the top
+// cycle, or deeper than all of another facet, may be missing (covers.h).
+// Departure from Fang, who keeps the list sorted by depth: here it is sorted by where the facets' depths begin, which
+// takes no predicates, and the topmost one is kept. A facet that enters is compared with that one alone, and most lists
+// are never asked for more.
 #pragma once
 
 #include <boost/container/small_vector.hpp>
@@ -29,25 +29,26 @@ struct Node {
 
 class NodeList {
  public:
-  // Invalid where no facet is over the span.
+  // The facet is invalid where no facet is over the span.
   [[nodiscard]] FacetId topmost() const { return topmost_; }
   [[nodiscard]] bool is_topmost_nearest() const { return is_topmost_nearest_; }
   [[nodiscard]] std::span<const Node> nodes() const { return {nodes_.data(), nodes_.size()}; }
-  // Of those in range; the topmost facet alone where it is nearer than all others.
+  // Returns the top cycle of the facets in range; it is the topmost facet alone where that is nearer than all others.
   [[nodiscard]] std::vector<FacetId> top_cycle(DepthOrder& depth) const;
 
-  // Crosses edges with these sides, all of one bundle, from left to right. O(d + s log s) for d facets in the list and s
-  // sides, and one comparison of depths for each facet that enters. Where the topmost facet changes, also two for each
-  // facet whose depths begin before all of it; where there is no nearest one, one for each pair of facets in range.
+  // Crosses edges with these sides, all of one bundle, from left to right. This takes O(d + s log s) for d facets in
+  // the list and s sides, and one comparison of depths for each facet that enters. Where the topmost facet changes,
+  // also two for each facet whose depths begin before all of it; where there is no nearest one, one for each pair of
+  // facets in range.
   void cross(std::span<const EdgeSide> sides, DepthOrder& depth);
 
-  // Whether both hold the same facets with the same winding numbers. O(1): compares a fingerprint that differs for
-  // different contents with all but certainty.
+  // Returns whether both hold the same facets with the same winding numbers. This is O(1): it compares a fingerprint
+  // that differs for different contents with all but certainty.
   [[nodiscard]] bool same_contents(const NodeList& other) const {
     return nodes_.size() == other.nodes_.size() && fingerprint_ == other.fingerprint_;
   }
 
-  // Whether crossing edges with these sides makes the other list of this one, with the same certainty. O(s).
+  // Returns whether crossing edges with these sides makes the other list of this one, with the same certainty, in O(s).
   [[nodiscard]] bool leads_to(const NodeList& other, std::span<const EdgeSide> sides) const {
     return fingerprint_ + fingerprint_of(sides) == other.fingerprint_;
   }

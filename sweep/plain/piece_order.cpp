@@ -7,7 +7,7 @@
 namespace sightline::inline sweep {
 namespace {
 
-// The side on which all of a polygon lies; 0 where it is on both, or in the plane.
+// Returns the side on which all of a polygon lies; 0 where it is on both, or in the plane.
 Sign common_side(const CutPolygon& polygon, const ExactPlane& plane) {
   Sign side = 0;
   for (const CutCorner& corner : polygon) {
@@ -36,7 +36,7 @@ bool PieceOrder::lower_is_nearer(FacetId f, FacetId g) {
   return place->second;
 }
 
-// +1 where f is nearer.
+// Returns +1 where f is nearer.
 Sign PieceOrder::order(FacetId f, FacetId g) {
   const CutPolygon f_polygon = whole_polygon(mesh_, f);
   const ExactPlane& g_plane = plane_towards_eye(mesh_.cuts.whole_of[g.index()]);
@@ -47,7 +47,7 @@ Sign PieceOrder::order(FacetId f, FacetId g) {
   return common_side(seen_within(f_polygon, g), g_plane);
 }
 
-// In front where the eye is.
+// The eye is in front of the plane.
 const ExactPlane& PieceOrder::plane_towards_eye(WholeId whole) {
   const auto [place, is_new] = planes_.try_emplace(whole);
   if (is_new) {
@@ -60,7 +60,7 @@ const ExactPlane& PieceOrder::plane_towards_eye(WholeId whole) {
   return place->second;
 }
 
-// What of the polygon the eye sees within the frame, whichever of the two is nearer.
+// Returns what of the polygon the eye sees within the frame, whichever of the two is nearer.
 CutPolygon PieceOrder::seen_within(CutPolygon polygon, FacetId frame) const {
   const CutPolygon corners = whole_polygon(mesh_, frame);
   const bool turned = facing_[frame.index()] == Facing::back;

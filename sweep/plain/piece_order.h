@@ -4,8 +4,8 @@
 // Out: whether the first is nearer to the eye wherever they overlap.
 // Holds: a piece was cut wherever the other whole passes through it, so the order is one and the same in all of the
 // overlap. Pieces that overlap in the rounded image only (narrower than the grid): the lower facet index is in front.
-// Method: where a piece lies on one side of the other's plane, that side decides: mostly so, since it was cut along that
-// plane. Else the part of one that the eye sees within the other, which the other does not pass through.
+// Method: where a piece lies on one side of the other's plane, that side decides: mostly so, since it was cut along
+// that plane. Else the part of one that the eye sees within the other, which the other does not pass through.
 // Complexity: O(k) heights over a plane for k corners, else O(k^2); in integers of any size. Each pair is decided once.
 #pragma once
 
@@ -23,10 +23,10 @@ class PieceOrder {
  public:
   PieceOrder(const ProjectedScene& scene);
 
-  // Whether two wholes cross.
+  // Returns whether two wholes cross.
   [[nodiscard]] bool applies_to(WholeId a, WholeId b) const;
 
-  // f < g.
+  // Precondition: f < g.
   [[nodiscard]] bool lower_is_nearer(FacetId f, FacetId g);
 
  private:

@@ -25,7 +25,7 @@ void SegmentRecorder::at(const NamedPoint& point, std::span<const AboveSegment> 
   for (const BundleId b : below) active.visibility_changed(b);
 }
 
-// What each bundle below should show; no segment yet.
+// Each bundle below is told what it should show; there is no segment yet.
 void SegmentRecorder::look_below(std::span<const BundleId> below, const NodeList& left, ActiveEdgeList& active) const {
   const NodeList* before = &left;
   for (const BundleId b : below) {
@@ -47,8 +47,8 @@ OpenSegment SegmentRecorder::wanted(std::span<const EdgeId> edges, const NodeLis
   return {SegmentId{}, carrier(edges, own, other), own.topmost(), other.topmost()};
 }
 
-// The first edge that belongs to the facet, or else to the other one: a choice that does not depend on how faces are
-// numbered.
+// Returns the first edge that belongs to the facet, or else to the other one: this choice does not depend on how faces
+// are numbered.
 EdgeId SegmentRecorder::carrier(std::span<const EdgeId> edges, const NodeList& own, const NodeList& other) const {
   for (const FacetId side : {own.topmost(), other.topmost()}) {
     const auto found = std::find_if(edges.begin(), edges.end(), [&](EdgeId e) { return carries(e, side); });
@@ -103,7 +103,7 @@ void SegmentRecorder::keep_or_end(std::span<const AboveSegment> above, ActiveEdg
   }
 }
 
-// Where the edge could have been chosen for the segment below, too.
+// A segment continues where its edge could have been chosen for the segment below, too.
 bool SegmentRecorder::continues(const AboveSegment& above, const OpenSegment& below,
                                 std::span<const EdgeId> edges) const {
   if (!below.facet.valid() || surface_of(mesh_, above.open.facet) != surface_of(mesh_, below.facet)) return false;
@@ -145,8 +145,8 @@ void SegmentRecorder::name(const NamedPoint& point, std::span<const BundleId> be
   result_.crossings.push_back(exact ? crossing_of_carriers(point.crossing.after, below, active) : point.crossing);
 }
 
-// Depends on what is seen alone: nothing starts or ends along one line only. In float and double edges may seem to meet
-// here that do not cross at all, and only those that the sweep found to cross are safe names.
+// The crossing depends on what is seen alone: nothing starts or ends along one line only. In float and double edges may
+// seem to meet here that do not cross at all, and only those that the sweep found to cross are safe names.
 Crossing SegmentRecorder::crossing_of_carriers(PointId after, std::span<const BundleId> below,
                                                const ActiveEdgeList& active) const {
   std::vector<EdgeId> carriers;

@@ -20,13 +20,13 @@
 
 namespace sightline::inline sweep {
 
-// A segment that was open along a bundle above the sweep point.
+// This segment was open along a bundle above the sweep point.
 struct AboveSegment {
   OpenSegment open;
   bool left_of_edge = false;
 };
 
-// Where the sweep is: at a vertex, or, where that is invalid, at the crossing of two edges.
+// The sweep is at a vertex, or, where that is invalid, at the crossing of two edges.
 struct NamedPoint {
   PointId vertex;
   Crossing crossing;
@@ -37,8 +37,8 @@ class SegmentRecorder {
   SegmentRecorder(const ProjectedScene& scene, DepthOrder& depth, VisibleSegments& result)
       : mesh_(scene.mesh()), scene_(scene), depth_(depth), result_(result) {}
 
-  // below: the bundles below the point, left to right; they are in the active edge list with their edges and node
-  // lists, and get their open segments here. left: what is over the span left of the point.
+  // `below` has the bundles below the point, left to right; they are in the active edge list with their edges and node
+  // lists, and get their open segments here. `left` is what is over the span left of the point.
   void at(const NamedPoint& point, std::span<const AboveSegment> above, std::span<const BundleId> below,
           const NodeList& left, ActiveEdgeList& active);
 
@@ -68,7 +68,7 @@ class SegmentRecorder {
   DepthOrder& depth_;
   VisibleSegments& result_;
 
-  // Of the current sweep point:
+  // These belong to the current sweep point.
   PointId point_;
   std::vector<AboveSegment> ending_;
   std::vector<FacetId> end_point_surfaces_;  // sorted once complete

@@ -5,12 +5,11 @@
 #include "geometry/numbers/arithmetic.h"
 #include "sweep/plain/active_edge_list.h"
 #include "sweep/plain/depth_order.h"
-#include "sweep/plain/edge_directions.h"
 #include "sweep/plain/event_queue.h"
 #include "sweep/plain/segment_recorder.h"
 #include "sweep/plain/sweep_input.h"
 #include "sweep/plain/sweep_state.h"
-#include "sweep/segments/validate_crossings.h"
+#include "sweep/segments/crossing_point.h"
 
 namespace sightline::inline sweep {
 namespace {
@@ -50,7 +49,7 @@ class Sweep : private SweepState {
   }
 
  private:
-  // The bundles through the sweep point: those with edges that end or cross here, and those that a vertex lies on.
+  // The bundles through the sweep point are those with edges that end or cross here, and those that a vertex lies on.
   void find_above() {
     above_.clear();
     marked_ = {};
@@ -77,7 +76,7 @@ class Sweep : private SweepState {
     ++marked_count_;
   }
 
-  // A top vertex: no edge leads to it, so its place is searched.
+  // No edge leads to a top vertex, so its place is searched.
   void search_above() {
     const ImagePoint& p = scene_.point(point_.vertex);
     const BundleId found = active_.find([&](const Bundle& b) { return side_of(b, p) > 0; });
@@ -112,7 +111,7 @@ class Sweep : private SweepState {
     return is_marked(b) || (point_.vertex.valid() && side_of(active_[b], scene_.point(point_.vertex)) == 0);
   }
 
-  // +1 where p is right of the bundle, 0 where it is on it.
+  // Returns +1 where p is right of the bundle, 0 where it is on it.
   [[nodiscard]] Sign side_of(const Bundle& bundle, const ImagePoint& p) const {
     const SceneEdge& e = scene_.edge(bundle.edges.front());
     return Decisions::side(scene_.point(e.top), scene_.point(e.bottom), p);
@@ -123,7 +122,7 @@ class Sweep : private SweepState {
     if (bundle.right_segment.segment.valid()) above_segments_.push_back({bundle.right_segment, false});
   }
 
-  // The edges that leave the point downwards, left to right; those with one direction are one bundle.
+  // The edges that leave the point downwards are sorted left to right; those with one direction are one bundle.
   void arrange_below() {
     edges_below_.clear();
     for (const BundleId b : above_) {
@@ -140,8 +139,8 @@ class Sweep : private SweepState {
     });
   }
 
-  // The entries of the bundles above are used again for those below: the last one for the last, since the list right of it
-  // stays.
+  // The entries of the bundles above are used again for those below: the last one for the last, since the list right of
+  // it stays.
   void replace_in_active_list() {
     below_.clear();
     BundleId left = left_neighbour_;
@@ -166,8 +165,8 @@ class Sweep : private SweepState {
     if (below_.empty()) active_.erase(above_.back());
   }
 
-  // Right of a bundle = left of it, minus the facets that leave, plus those that enter. The last span is the one that
-  // was there before.
+  // The list right of a bundle is the one left of it, minus the facets that leave, plus those that enter. The last span
+  // is the one that was there before.
   void update_node_lists() {
     const NodeList* list = &left_list();
     const NodeList& last = above_.empty() ? left_list() : active_[above_.back()].right;
@@ -193,7 +192,7 @@ class Sweep : private SweepState {
       sides_.insert(sides_.end(), scene_.sides_of(e).begin(), scene_.sides_of(e).end());
   }
 
-  // Over the span left of the point.
+  // Returns the list over the span left of the point.
   [[nodiscard]] const NodeList& left_list() const {
     return left_neighbour_.valid() ? active_[left_neighbour_].right : nothing_;
   }
@@ -212,8 +211,8 @@ class Sweep : private SweepState {
     }
   }
 
-  // Two neighbours that converge and meet strictly inside both. Where one ends on the other, that is a vertex event
-  // already.
+  // A crossing is queued where two neighbours converge and meet strictly inside both. Where one ends on the other, that
+  // is a vertex event already.
   void queue_crossing(BundleId left, BundleId right) {
     if (!left.valid() || !right.valid()) return;
     const EdgeId a = active_[left].edges.front();
@@ -301,7 +300,7 @@ class Sweep : private SweepState {
   VisibleSegments result_;
   SegmentRecorder recorder_;
 
-  // Of the current sweep point:
+  // These belong to the current sweep point.
   SweepPoint point_;
   BundleId left_neighbour_, right_neighbour_;
   BundleId marked_;  // one of the bundles with edges that end or cross here

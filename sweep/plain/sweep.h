@@ -1,9 +1,9 @@
 // The sweep: projected scene in, visible segments out.
 //
-// In:  a mesh whose facets do not pass through each other (cut_along_common_lines), its projected scene, and optionally an
-//      observer.
-// Out: VisibleSegments (see there for what holds). Where facets overlap in the rounded image only, their order may be no
-//      order; the topmost facet of a span depends on nothing but the span's facets (node_list.h), so that every ring
+// In:  a mesh whose facets do not pass through each other (cut_along_common_lines), its projected scene, and optionally
+//      an observer.
+// Out: VisibleSegments (see there for what holds). Where facets overlap in the rounded image only, their order may be
+//      no order; the topmost facet of a span depends on nothing but the span's facets (node_list.h), so that every ring
 //      closes all the same. The same holds, with the wrong facet on top in places, for facets that pass through each
 //      other.
 //      In float and double (scene.arithmetic) the sweep's decisions may contradict each other. It then ends with an
@@ -24,7 +24,8 @@ namespace sightline::inline sweep {
 
 class SweepState;
 
-// Called at every sweep point, after it has been worked off. Teaching, tracing, progress and statistics hang on it.
+// An observer is called at every sweep point, after it has been worked off. Teaching, tracing, progress and statistics
+// hang on it.
 class SweepObserver {
  public:
   virtual ~SweepObserver() = default;
@@ -38,8 +39,8 @@ class SweepObserver {
   };
   virtual void at(const SweepPoint& point) = 0;
 
-  // After `at`, by a sweep of everything: for whoever wants to see more (sweep_state.h). The fast engine's bands are
-  // parts of the scene, and are not shown.
+  // A sweep of everything calls this after `at`, for whoever wants to see more (sweep_state.h). The fast engine's bands
+  // are parts of the scene, and are not shown.
   virtual void look(const SweepState& /*state*/) {}
 };
 

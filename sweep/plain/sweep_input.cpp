@@ -3,7 +3,7 @@
 namespace sightline::inline sweep {
 namespace {
 
-// Edges grouped by one of their ends, in the order of edges within a group.
+// Groups edges by one of their ends, in the order of edges within a group.
 template <class EndOf>
 void group(const ProjectedScene& scene, EndOf end_of, std::vector<EdgeId>& edges, std::vector<std::uint32_t>& begin) {
   begin.assign(scene.points.size() + 1, 0);

@@ -1,4 +1,4 @@
-// Tables over the projected scene that the sweep looks things up in.
+// The sweep looks things up in these tables over the projected scene.
 #pragma once
 
 #include <algorithm>
@@ -14,11 +14,11 @@ class SweepInput {
  public:
   SweepInput(const ProjectedScene& scene);
 
-  // The edges with this vertex as their lower (upper) end; none for an invalid vertex.
+  // Returns the edges with this vertex as their lower (upper) end; there are none for an invalid vertex.
   [[nodiscard]] std::span<const EdgeId> ending_at(PointId p) const { return range(by_bottom_, bottom_begin_, p); }
   [[nodiscard]] std::span<const EdgeId> starting_at(PointId p) const { return range(by_top_, top_begin_, p); }
 
-  // Whether vertices at different positions of the input fall on this point.
+  // Returns whether vertices at different positions of the input fall on this point.
   [[nodiscard]] bool has_several_vertices(PointId p) const { return several_vertices_[p.index()] != 0; }
 
  private:
@@ -32,6 +32,26 @@ class SweepInput {
   std::vector<EdgeId> by_top_, by_bottom_;
   std::vector<std::uint32_t> top_begin_, bottom_begin_;
   std::vector<std::uint8_t> several_vertices_;
+};
+
+// Each edge has its direction here, in the sweep's arithmetic.
+template <class Decisions>
+class EdgeDirections {
+ public:
+  explicit EdgeDirections(const ProjectedScene& scene) {
+    direction_.reserve(scene.edge_count());
+    for (std::size_t e = 0; e < scene.edge_count(); ++e) {
+      direction_.push_back(Decisions::direction(scene.point(scene.edges[e].top), scene.point(scene.edges[e].bottom)));
+    }
+  }
+
+  // Returns +1 where, below a common point, a lies left of b; 0 where they lie on each other.
+  [[nodiscard]] Sign turn(EdgeId a, EdgeId b) const {
+    return Decisions::turn(direction_[a.index()], direction_[b.index()]);
+  }
+
+ private:
+  std::vector<typename Decisions::Direction> direction_;
 };
 
 }  // namespace sightline::inline sweep

@@ -29,10 +29,11 @@ class SweepState {
   virtual ~SweepState() = default;
 
   [[nodiscard]] virtual SweepPlace here() const = 0;
-  // The next sweep points, as far as they are known: at most this many.
+  // Returns the next sweep points, as far as they are known: at most this many.
   [[nodiscard]] virtual std::vector<SweepPlace> upcoming(std::size_t at_most) const = 0;
   [[nodiscard]] virtual const ActiveEdgeList& active() const = 0;
-  // The bundles that leave the point downwards, left to right, and the bundle left of them (invalid: none).
+  // Returns the bundles that leave the point downwards, left to right; the left neighbour is the bundle left of them
+  // (invalid: none).
   [[nodiscard]] virtual std::span<const BundleId> below() const = 0;
   [[nodiscard]] virtual BundleId left_neighbour() const = 0;
   [[nodiscard]] virtual const VisibleSegments& so_far() const = 0;

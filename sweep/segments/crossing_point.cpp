@@ -9,7 +9,7 @@ Int128 cross(std::int64_t ax, std::int64_t ay, std::int64_t bx, std::int64_t by)
   return static_cast<Int128>(ax) * by - static_cast<Int128>(ay) * bx;
 }
 
-// The sign of a coordinate of a minus that of b, each base + offset / denominator.
+// Returns the sign of a coordinate of a minus that of b, each base + offset / denominator.
 Sign compare_coordinate(std::int64_t base_difference, Int128 offset_a, Int128 denominator_a, Int128 offset_b,
                         Int128 denominator_b) {
   const Wide256 da(denominator_a);
@@ -17,7 +17,7 @@ Sign compare_coordinate(std::int64_t base_difference, Int128 offset_a, Int128 de
   return sign_of(Wide256(Wide256(base_difference) * da * db + Wide256(offset_a) * db - Wide256(offset_b) * da));
 }
 
-// How far along the first edge the edges cross.
+// The share says how far along the first edge the edges cross.
 struct Share {
   Int128 numerator;
   Int128 denominator;  // > 0
@@ -34,6 +34,14 @@ Share share_of_first(const ImagePoint& top_a, const ImagePoint& bottom_a, const 
     numerator = -numerator;
   }
   return {numerator, denominator};
+}
+
+// Returns whether the ends of b lie strictly on different sides of a.
+bool separates(const ProjectedScene& scene, EdgeId a, EdgeId b) {
+  const auto side = [&](PointId p) {
+    return orientation(scene.point(scene.edge(a).top), scene.point(scene.edge(a).bottom), scene.point(p));
+  };
+  return side(scene.edge(b).top) * side(scene.edge(b).bottom) < 0;
 }
 
 double rounded(std::int64_t base, Int128 offset, Int128 denominator) {
@@ -56,6 +64,10 @@ CrossingPoint crossing_point(const ProjectedScene& scene, EdgeId a, EdgeId b) {
   const SceneEdge& of_b = scene.edge(b);
   return crossing_point(scene.point(of_a.top), scene.point(of_a.bottom), scene.point(of_b.top),
                         scene.point(of_b.bottom));
+}
+
+bool cross_inside_both(const ProjectedScene& scene, EdgeId a, EdgeId b) {
+  return separates(scene, a, b) && separates(scene, b, a);
 }
 
 double crossing_height(const ImagePoint& top_a, const ImagePoint& bottom_a, const ImagePoint& top_b,

@@ -24,8 +24,8 @@ struct CrossingPoint {
   double y = 0;
 };
 
-// offset / denominator has a relative error of 3 u (two conversions, a division) and at most 2^41, adding the base
-// rounds by u * 2^41 once more: 4 * 2^41 * 2^-53.
+// The quotient offset / denominator has a relative error of 3 u (two conversions, a division) and is at most 2^41;
+// adding the base rounds by u * 2^41 once more: 4 * 2^41 * 2^-53 in all.
 constexpr double crossing_error = 0x1p-10;
 
 // What lies further apart than this, rounded, is in that order: two errors, and the subtraction's rounding of at most
@@ -36,14 +36,17 @@ constexpr double crossing_order_bound = 2 * crossing_error + 0x1p-11;
 [[nodiscard]] CrossingPoint crossing_point(const ImagePoint& top_a, const ImagePoint& bottom_a, const ImagePoint& top_b,
                                            const ImagePoint& bottom_b);
 
-// Of two edges of a scene.
+// Precondition: the two edges of the scene are not parallel.
 [[nodiscard]] CrossingPoint crossing_point(const ProjectedScene& scene, EdgeId a, EdgeId b);
 
-// The same point's y.
+// Returns whether the ends of each edge lie strictly on different sides of the other, exactly.
+[[nodiscard]] bool cross_inside_both(const ProjectedScene& scene, EdgeId a, EdgeId b);
+
+// Returns the same point's y.
 [[nodiscard]] double crossing_height(const ImagePoint& top_a, const ImagePoint& bottom_a, const ImagePoint& top_b,
                                      const ImagePoint& bottom_b);
 
-// Sweep order: -1 where the first comes first, 0 where they are one point.
+// Compares in sweep order: -1 where the first comes first, 0 where they are one point.
 [[nodiscard]] int sweep_compare(const CrossingPoint& crossing, const ImagePoint& point);
 [[nodiscard]] int sweep_compare(const CrossingPoint& a, const CrossingPoint& b);
 

@@ -10,7 +10,7 @@
 
 namespace sightline::inline sweep {
 
-// A line with a direction that follows the sweep.
+// A swept line has a direction that follows the sweep.
 struct SweptLine {
   PointId top;
   PointId bottom;
@@ -25,12 +25,12 @@ class EdgeSides {
   [[nodiscard]] bool before(PointId a, PointId b) const { return points_.sweeps_before(a, b); }
   [[nodiscard]] SweptLine line(EdgeId e) const { return {scene_->edge(e).top, scene_->edge(e).bottom}; }
 
-  // +1 where p is right of the line, 0 where it is on it.
+  // Returns +1 where p is right of the line, 0 where it is on it.
   [[nodiscard]] Sign side(const SweptLine& line, PointId p) const {
     return is_made_by(line, p) ? 0 : points_.orientation(line.top, line.bottom, p);
   }
 
-  // +1 where, below a common point, a lies left of b; 0 where they are parallel.
+  // Returns +1 where, below a common point, a lies left of b; 0 where they are parallel.
   [[nodiscard]] Sign turn(const SweptLine& a, const SweptLine& b) const {
     const ImagePoint u = direction(a);
     const ImagePoint v = direction(b);
@@ -58,7 +58,7 @@ class EdgeSides {
     return {bottom.x - top.x, bottom.y - top.y};
   }
 
-  // Whether p is a crossing on an edge between the line's ends: then it is on it, without arithmetic.
+  // Returns whether p is a crossing on an edge between the line's ends: then it is on it, without arithmetic.
   [[nodiscard]] bool is_made_by(const SweptLine& line, PointId p) const {
     if (p.index() < scene_->points.size()) return false;
     const Crossing& crossing = segments_->crossings[p.index() - scene_->points.size()];

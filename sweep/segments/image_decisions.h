@@ -24,11 +24,11 @@ struct ExactDecisions {
   static Direction direction(const ImagePoint& top, const ImagePoint& bottom) {
     return {bottom.x - top.x, bottom.y - top.y};
   }
-  // +1 where, below a common point, u lies left of v; 0 where they lie on each other.
+  // Returns +1 where, below a common point, u lies left of v; 0 where they lie on each other.
   static Sign turn(const Direction& u, const Direction& v) {
     return sign_of(static_cast<Int128>(u.x) * v.y - static_cast<Int128>(u.y) * v.x);
   }
-  // +1 where p is right of the edge, 0 where it is on it.
+  // Returns +1 where p is right of the edge, 0 where it is on it.
   static Sign side(const ImagePoint& top, const ImagePoint& bottom, const ImagePoint& p) {
     return orientation(top, bottom, p);
   }
@@ -36,16 +36,16 @@ struct ExactDecisions {
                         const ImagePoint& bottom_b) {
     return crossing_point(top_a, bottom_a, top_b, bottom_b);
   }
-  // The y of a place, rounded.
+  // Returns the y of a place, rounded.
   static double crossing_height(const ImagePoint& top_a, const ImagePoint& bottom_a, const ImagePoint& top_b,
                                 const ImagePoint& bottom_b) {
     return sightline::crossing_height(top_a, bottom_a, top_b, bottom_b);
   }
   static double height(const ImagePoint& p) { return static_cast<double>(p.y); }
-  // Sweep order: -1 where the first comes first, 0 where they are one point.
+  // Compares in sweep order: -1 where the first comes first, 0 where they are one point.
   static int compare(const Place& a, const ImagePoint& b) { return sweep_compare(a, b); }
   static int compare(const Place& a, const Place& b) { return sweep_compare(a, b); }
-  // By heights alone; 0 where these do not decide.
+  // Compares by heights alone; 0 where these do not decide.
   static int compare_heights(double a, double b) {
     const double apart = b - a;
     return std::fabs(apart) > crossing_order_bound ? (apart > 0 ? 1 : -1) : 0;
@@ -59,7 +59,8 @@ struct UnfilteredDecisions {
     Real x = 0;
     Real y = 0;
   };
-  // How far right an edge goes for one unit down; infinite for a horizontal edge, which comes last from left to right.
+  // A direction says how far right an edge goes for one unit down; it is infinite for a horizontal edge, which comes
+  // last from left to right.
   using Direction = Real;
 
   static Direction direction(const ImagePoint& top, const ImagePoint& bottom) {
@@ -87,7 +88,7 @@ struct UnfilteredDecisions {
     return crossing(top_a, bottom_a, top_b, bottom_b).y;
   }
   static double height(const ImagePoint& p) { return place(p).y; }
-  // Of places that are numbers.
+  // Compares places that are numbers.
   static int compare(const Place& a, const Place& b) {
     if (a.y != b.y) return a.y > b.y ? -1 : 1;
     return a.x < b.x ? -1 : (a.x > b.x ? 1 : 0);

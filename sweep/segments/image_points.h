@@ -1,6 +1,7 @@
-// The points of a sweep's result by id, scene points and crossings alike, with exact predicates behind a filter.
+// The points of a sweep's result, scene points and crossings alike, are found by id, with exact predicates behind a
+// filter.
 //
-// Sizes: a crossing is base + offset / denominator, so as a homogeneous point |X|, |Y| <= 2^125 and D <= 2^83
+// A crossing is base + offset / denominator, so as a homogeneous point |X|, |Y| <= 2^125 and D <= 2^83
 // (crossing_point.h); the orientation of three crossings is a 3 x 3 determinant below 3 * 2^(125 + 125 + 83 + 1) <
 // 2^336: 512 bits do.
 #pragma once
@@ -17,17 +18,17 @@ class ImagePoints {
  public:
   ImagePoints(const ProjectedScene& scene, const VisibleSegments& segments);
 
-  // In grid units; exact for scene points, off by at most crossing_error for crossings.
+  // The place is in grid units; it is exact for scene points, and off by at most crossing_error for crossings.
   [[nodiscard]] Point2 approximate(PointId p) const {
     const std::size_t vertices = scene_->points.size();
     if (p.index() >= vertices) return {crossings_[p.index() - vertices].x, crossings_[p.index() - vertices].y};
     return {static_cast<double>(scene_->point(p).x), static_cast<double>(scene_->point(p).y)};
   }
-  // In the window's units: the exact place, rounded once.
+  // Returns the exact place, rounded once, in the window's units.
   [[nodiscard]] Point2 in_window(PointId p) const;
   [[nodiscard]] ExactPoint exact(PointId p) const;
 
-  // +1 where a, b, c turn counter-clockwise.
+  // Returns +1 where a, b, c turn counter-clockwise.
   [[nodiscard]] Sign orientation(PointId a, PointId b, PointId c) const;
 
   [[nodiscard]] bool sweeps_before(PointId a, PointId b) const { return order_(a, b); }

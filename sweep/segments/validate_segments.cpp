@@ -1,12 +1,13 @@
-// Each line of "Holds" in visible_segments.h, as far as it can be seen without the mesh. What depends on which facets
-// are one surface (balance of start and end points, no two segments of a surface meet but in end points) is checked
-// here per point and per facet, and per surface in validate(polygons, ...).
+// Each line of "Holds" in visible_segments.h is checked here as far as it can be seen without the mesh. What depends on
+// which facets are one surface (balance of start and end points, no two segments of a surface meet but in end points)
+// is checked per point and per facet here, and per surface in validate(polygons, ...).
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "geometry/numbers/id_names.h"
+#include "sweep/segments/crossing_point.h"
 #include "sweep/segments/edge_sides.h"
-#include "sweep/segments/validate_crossings.h"
 #include "sweep/segments/visible_segments.h"
 
 namespace sightline::inline sweep {
@@ -14,10 +15,11 @@ namespace {
 
 using Messages = std::vector<std::string>;
 
+std::string crossing_name(std::size_t c) { return "crossing " + std::to_string(c); }
 std::string thread_name(std::size_t t) { return "thread " + std::to_string(t); }
 std::string split_name(std::size_t s) { return "split " + std::to_string(s); }
 
-// What the other checks need in order to look at anything.
+// Ranges come first: the other checks need them in order to look at anything.
 Messages check_ranges(const VisibleSegments& segments, const ProjectedScene& scene) {
   Messages messages;
   const auto is_edge = [&](EdgeId e) { return e.index() < scene.edge_count(); };
@@ -47,6 +49,32 @@ Messages check_ranges(const VisibleSegments& segments, const ProjectedScene& sce
     require(is_point(split.point) && is_facet(split.facet) && is_edge(split.edge), split_name(s));
   }
   return messages;
+}
+
+bool is_between(const CrossingPoint& place, const ProjectedScene& scene, std::size_t after) {
+  return (after == 0 || sweep_compare(place, scene.points[after - 1]) > 0) &&
+         (after == scene.points.size() || sweep_compare(place, scene.points[after]) < 0);
+}
+
+// A crossing is of two edges that cross strictly inside both, its place among the scene's points is the one it names,
+// and crossings follow each other in sweep order: this is checked exactly, with the scene's points alone. Everything
+// else may rely on it.
+void check_crossings(const VisibleSegments& segments, const ProjectedScene& scene, Messages& messages) {
+  std::optional<CrossingPoint> previous;
+  for (std::size_t c = 0; c < segments.crossings.size(); ++c) {
+    const auto& [a, b, after] = segments.crossings[c];
+    if (!cross_inside_both(scene, a, b)) {
+      messages.push_back(crossing_name(c) + " is of " + name(a) + " and " + name(b) +
+                         ", which do not cross inside both");
+      continue;
+    }
+    const CrossingPoint place = crossing_point(scene, a, b);
+    if (!is_between(place, scene, after.index()))
+      messages.push_back(crossing_name(c) + " is not where it should be between the scene's points");
+    if (previous && sweep_compare(*previous, place) >= 0)
+      messages.push_back(crossing_name(c) + " does not follow the one before it in sweep order");
+    previous = place;
+  }
 }
 
 class SegmentCheck {
@@ -88,7 +116,7 @@ class SegmentCheck {
     }
   }
 
-  // The winding number of a facet right or left of an edge, just below a point of the edge.
+  // Returns the winding number of a facet right or left of an edge, just below a point of the edge.
   [[nodiscard]] int winding_beside(FacetId facet, PointId p, EdgeId edge, bool right) const {
     const auto polygon = scene_.polygon(facet);
     int winding = 0;
@@ -128,7 +156,8 @@ class SegmentCheck {
     }
   }
 
-  // By the point where they open, then left to right; on one line the segment of the facet to the left comes first.
+  // Segments are ordered by the point where they open, then left to right; on one line the segment of the facet to the
+  // left comes first.
   void check_order(SegmentId a, SegmentId b) {
     const PointId upper_a = sides_.upper(segment(a));
     const PointId upper_b = sides_.upper(segment(b));
@@ -149,7 +178,7 @@ class SegmentCheck {
     }
   }
 
-  // Segments of one facet along one edge.
+  // No two segments of one facet may overlap along one edge.
   void check_overlaps() {
     std::vector<SegmentId> order;
     for (std::size_t s = 0; s < segments_.segments.size(); ++s) order.emplace_back(s);

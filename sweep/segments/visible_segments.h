@@ -20,8 +20,9 @@
 
 namespace sightline::inline sweep {
 
-// The point where two edges cross: of those that segments run along that start or end there, the lowest, and the lowest
-// with another direction. `after`: the scene's points before it in sweep order are exactly those with a smaller id.
+// A crossing is the point where two edges cross: of those that segments run along that start or end there, the lowest,
+// and the lowest with another direction. The scene's points before it in sweep order are exactly those with a smaller
+// id than `after`.
 struct Crossing {
   EdgeId a;
   EdgeId b;
@@ -36,15 +37,17 @@ struct VisibleSegment {
   EdgeId edge;
 };
 
-// From the top of what may be a hole to the nearest visible segment left of it, which bounds the same face: a hole
-// belongs to the ring with that segment, or, where that is a hole too, to the ring it belongs to (Fang 5.3).
+// A thread runs from the top of what may be a hole to the nearest visible segment left of it, which bounds the same
+// face: a hole belongs to the ring with that segment, or, where that is a hole too, to the ring it belongs to (Fang
+// 5.3).
 struct Thread {
   PointId top;
   FacetId facet;  // of the face around it
   SegmentId segment;
 };
 
-// A point strictly inside an edge where the visible boundary of one of the edge's own facets has an end point.
+// A split is a point strictly inside an edge where the visible boundary of one of the edge's own facets has an end
+// point.
 struct EdgeSplit {
   MeshEdgeId mesh_edge;  // what splits it splits it for all faces on it; invalid: along the view volume's border
   FacetId facet;
@@ -82,19 +85,19 @@ struct VisibleSegments {
   SweepStatistics statistics;
 };
 
-// The exact place of a point: (x / denominator, y / denominator) in grid units, denominator > 0.
+// This is the exact place of a point: (x / denominator, y / denominator) in grid units, denominator > 0.
 struct ExactPoint {
   Wide512 x;
   Wide512 y;
   Wide512 denominator;
 };
-// For many points or predicates on them use ImagePoints (image_points.h).
+// ImagePoints (image_points.h) is for many points, or for predicates on them.
 [[nodiscard]] ExactPoint exact_point(const ProjectedScene& scene, const VisibleSegments& segments, PointId p);
 
-// What of the above does not hold, one line each, with the ids; empty for a valid value.
+// Returns what of the above does not hold, one line each, with the ids; nothing for a valid value.
 [[nodiscard]] std::vector<std::string> validate(const VisibleSegments& segments, const ProjectedScene& scene);
 
-// Order of points in the sweep, for scene points and crossings alike: an O(1) comparison of ids.
+// The order of points in the sweep, scene points and crossings alike, is an O(1) comparison of ids.
 class SweepOrder {
  public:
   SweepOrder(const ProjectedScene& scene, const VisibleSegments& segments) : scene_(&scene), segments_(&segments) {}

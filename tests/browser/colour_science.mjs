@@ -1,12 +1,12 @@
-// Colours as eyes have them. Colours are [r, g, b] in [0, 1], as CSS has them, and CIE L*a*b* for differences.
+// Colours are computed as eyes have them: [r, g, b] in [0, 1], as CSS has them, and CIE L*a*b* for differences.
 
 const toLinear = (c) => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4);
 const toGamma = (c) => (c <= 0.0031308 ? 12.92 * c : 1.055 * c ** (1 / 2.4) - 0.055);
 const times = (matrix, v) => matrix.map((row) => row.reduce((sum, value, i) => sum + value * v[i], 0));
 const clamped = (v) => v.map((c) => Math.min(1, Math.max(0, c)));
 
-// Machado, Oliveira and Fernandes, "A physiologically-based model for simulation of color vision deficiency", 2009: severity
-// 1.0, on linear values.
+// The matrices are of Machado, Oliveira and Fernandes, "A physiologically-based model for simulation of color vision
+// deficiency", 2009: severity 1.0, on linear values.
 export const eyes = {
   usual: [[1, 0, 0], [0, 1, 0], [0, 0, 1]],
   protanopia: [
@@ -38,13 +38,13 @@ function lab(colour) {
   return [116 * y - 16, 500 * (x - y), 200 * (y - z)];
 }
 
-// The distance in L*a*b* (CIE 1976): about 2 can just be told apart side by side.
+// Returns the distance in L*a*b* (CIE 1976): about 2 can just be told apart side by side.
 export function difference(a, b) {
   const [p, q] = [lab(a), lab(b)];
   return Math.hypot(...p.map((c, i) => c - q[i]));
 }
 
-// WCAG 2.2, "contrast ratio".
+// This is the "contrast ratio" of WCAG 2.2.
 export function contrast(a, b) {
   const luminance = (colour) => times([[0.2126, 0.7152, 0.0722]], colour.map(toLinear))[0];
   const [light, dark] = [luminance(a), luminance(b)].sort((x, y) => y - x);

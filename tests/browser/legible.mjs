@@ -1,8 +1,9 @@
-// Whether a page can be read: contrast by WCAG 2.2, level AA, and no scrolling to the side.
+// This tells whether a page can be read: contrast by WCAG 2.2, level AA, and no scrolling to the side.
 import assert from "node:assert/strict";
 import { contrast } from "./colour_science.mjs";
 
-// In the page: each element with a text of its own, its colour, and the colours of what is behind it, the nearest first.
+// Collects in the page each element with a text of its own, its colour, and the colours of what is behind it, nearest
+// first.
 function textsAndColours() {
   const texts = [];
   for (const element of document.querySelectorAll("body *")) {

@@ -1,4 +1,4 @@
-// A page of sightline's in a real browser, opened from disk.
+// A page of sightline's is opened from disk, in a real browser.
 //
 // Environment: SIGHTLINE_COMMAND, SIGHTLINE_WEB_DIR (where node_modules is), SIGHTLINE_CHROMIUM.
 import assert from "node:assert/strict";
@@ -14,7 +14,7 @@ const { chromium } = createRequire(join(SIGHTLINE_WEB_DIR, "package.json"))("pla
 
 export const fixtures = resolve(dirname(fileURLToPath(import.meta.url)), "../../fixtures");
 export const desktop = { width: 1280, height: 720 };
-// For tests that take many pictures.
+// This is for tests that take many pictures.
 export const small = { width: 720, height: 480 };
 export const phone = { width: 390, height: 844 };
 
@@ -29,19 +29,19 @@ export function runSightline(...options) {
   assert.equal(status, 0, stderr);
 }
 
-// The results of `analyze --report`; a folder of their own.
+// Returns a new folder with the results of `analyze --report`.
 export function analysed(scene) {
   const folder = temporaryFolder();
   runSightline("analyze", scene, "-o", folder, "--report", "--quiet");
   return folder;
 }
 
-// A row per line, the first one with the names; nothing is quoted in the files that are read here.
+// Each line is a row, the first one with the names; nothing is quoted in the files that are read here.
 export function csvRows(file) {
   return readFileSync(file, "utf8").trim().split("\n").map((line) => line.split(","));
 }
 
-// The graphics card is software: the same picture on every machine.
+// The graphics card is software, so the picture is the same on every machine.
 export function startBrowser() {
   const isRoot = process.getuid() === 0;
   return chromium.launch({
@@ -50,7 +50,7 @@ export function startBrowser() {
   });
 }
 
-// What a page must never do: ask for anything but itself, or complain. Both fail the test when the page is closed.
+// A page must never ask for anything but itself, or complain. Both fail the test when the page is closed.
 function watch(page, file) {
   const complaints = [];
   const self = pathToFileURL(file).href;
@@ -83,14 +83,14 @@ export async function withPage(browser, file, { viewport = desktop, ready }, tes
   assert.deepEqual(complaints, []);
 }
 
-// In the page. What is asked for is drawn at the next frame.
+// This runs in the page: what is asked for is drawn at the next frame.
 async function drawing(selector) {
   for (let i = 0; i < 2; ++i) await new Promise((done) => requestAnimationFrame(done));
   return document.querySelector(selector).toDataURL();
 }
 
-// Of a canvas, when nothing moves in it any more, as a data: URL. What it has drawn, not what is on the screen: that may be
-// later by any number of frames.
+// Returns as a data: URL what a canvas has drawn when nothing moves in it any more. That is not what is on the screen,
+// which may be later by any number of frames.
 export async function picture(page, selector) {
   let last = null;
   for (;;) {

@@ -1,4 +1,4 @@
-// report.html, in a real browser.
+// report.html is tested in a real browser.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
@@ -21,7 +21,7 @@ after(() => browser.close());
 const onDemo = (testIt, options) => withReport(browser, demo, testIt, options);
 const onFang = (testIt, options) => withReport(browser, fang, testIt, options);
 
-// As faces.csv has it: texts become the page's if they are the same numbers.
+// The table is as faces.csv has it: texts become the page's if they are the same numbers.
 function expectedRow(folder, camera, face) {
   const [heads, ...rows] = csvRows(join(folder, camera, "faces.csv"));
   return Object.fromEntries(heads.map((head, i) => [head, head === "facing" ? rows[face][i] : String(Number(rows[face][i]))]));
@@ -52,7 +52,8 @@ test("says what the cameras cover together, as coverage.csv does", () =>
       assert.ok(Math.abs(Number(cells[cell]) - Number(together[column])) <= 1e-5 * Number(together[column]));
   }));
 
-// Fang's window is the square from (0, 0) to (16, 16): the pentagon's middle, and a place of the triangle beside it.
+// Fang's window is the square from (0, 0) to (16, 16). The places are the pentagon's middle and one of the triangle
+// beside.
 const fangPlaces = [{ face: 0, at: [5, 7] }, { face: 1, at: [9, 6] }];
 const inShares = ([x, y]) => [x / 16, 1 - y / 16];
 
@@ -82,7 +83,8 @@ test("a click in the image shows the face's row, and marks its polygon there and
     }
   }));
 
-// A little inside each of the triangle's corners there is surface, a little outside there is none: true of this view only.
+// A little inside each of the triangle's corners there is surface, a little outside there is none; this is true of this
+// view only.
 test("through the camera the surface is where the camera sees it", () =>
   onFang(async (page) => {
     await page.click("#look");
@@ -111,7 +113,7 @@ test("to drag while looking through a camera moves nothing, then and afterwards"
     assert.ok((await picture(page, "#stage")) === home);
   }));
 
-// From where what they switch is in the picture, and large enough.
+// In the view of each button, what these switches change is in the picture, and large enough.
 const switches = {
   "#all": ["#cameras", "#panels", "#mirror"],
   "#reset": ["#original-edges", "#refined-edges", "#patterns", '[data-kind="visible"]', '[data-kind="hidden"]',

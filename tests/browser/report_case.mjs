@@ -1,4 +1,4 @@
-// What the tests of report.html share.
+// The tests of report.html share this.
 import { join } from "node:path";
 import { picture, withPage } from "./page_case.mjs";
 
@@ -8,20 +8,21 @@ export function withReport(browser, folder, test, options = {}) {
   return withPage(browser, join(folder, "report.html"), { ready: isShown, ...options }, test);
 }
 
-// The face's row, {column: value}, as the page shows it.
+// Returns the face's row, {column: value}, as the page shows it.
 export async function shownRow(page) {
   const names = await page.locator("#row dt").allTextContents();
   const values = await page.locator("#row dd").allTextContents();
   return Object.fromEntries(names.map((name, i) => [name, values[i]]));
 }
 
-// From the triangle's centre towards a corner: 1 is the corner itself.
+// The place lies from the triangle's centre towards a corner: 1 is the corner itself.
 export function cornerOf(triangle, corner, share) {
   const centre = [0, 1].map((i) => (triangle[0][i] + triangle[1][i] + triangle[2][i]) / 3);
   return centre.map((c, i) => c + share * (corner[i] - c));
 }
 
-// Of the canvas in 3D, [r, g, b] at places in shares of the window that is looked through, over white.
+// Returns the colours of the canvas in 3D, [r, g, b], at places in shares of the window that is looked through, over
+// white.
 export async function pixelsAt(page, places) {
   const frame = await page.locator("#frame").boundingBox();
   const stage = await page.locator("#stage").boundingBox();
@@ -30,7 +31,7 @@ export async function pixelsAt(page, places) {
   return page.evaluate(readPixels, { image: await picture(page, "#stage"), points });
 }
 
-// In the page.
+// This runs in the page.
 async function readPixels({ image, points }) {
   const bitmap = await createImageBitmap(await (await fetch(image)).blob());
   const { width, height } = bitmap;

@@ -1,4 +1,4 @@
-// report.html where input is hostile or too large, and without a mouse.
+// report.html is tested where input is hostile or too large, and without a mouse.
 import assert from "node:assert/strict";
 import { copyFileSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
@@ -49,7 +49,7 @@ test("hostile names stay text", () =>
     assert.ok(`reflecting_area:${panel}` in (await shownRow(page)));
   }));
 
-// What has the focus, and whether that can be seen.
+// Returns what has the focus, and whether that can be seen.
 const focused = () => {
   const style = getComputedStyle(document.activeElement);
   const { id, dataset } = document.activeElement;
@@ -98,7 +98,8 @@ test("the keyboard alone turns, zooms, looks through a camera, changes it, and c
     assert.equal(await page.textContent("#face-state"), "There are faces 0 to 8063.");
   }, { viewport: small }));
 
-// The page of a run whose triangles would not all fit: what the command would have said is put into a page that it made.
+// The page of a run whose triangles would not all fit: what the command would have said is put into a page that it
+// made.
 function withHeld(folder, held) {
   const file = join(folder, "report.html");
   const page = readFileSync(file, "utf8");

@@ -1,5 +1,5 @@
-// node run.mjs FILE: the tests of one file. Exit code 77, skipped, where the build could not fetch what the pages are made
-// of; it said so then.
+// `node run.mjs FILE` runs the tests of one file. The exit code is 77, skipped, where the build could not fetch what
+// the pages are made of; it said so then.
 import { existsSync } from "node:fs";
 import { join } from "node:path";
 

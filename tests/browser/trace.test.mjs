@@ -1,5 +1,5 @@
-// The page of `sightline trace` in a browser: Fang's tables row by row, every way to step, "What next?", keyboard, phone,
-// contrast, colours, names.
+// The page of `sightline trace` is tested in a browser: Fang's tables row by row, every way to step, "What next?",
+// keyboard, phone, contrast, colours, names.
 import assert from "node:assert/strict";
 import { writeFileSync } from "node:fs";
 import { join } from "node:path";
@@ -38,7 +38,7 @@ function traced(name, ...scene) {
 const example = (name) => traced(name, "--example", name);
 const isReady = () => document.getElementById("place").textContent !== "";
 
-// The page at a step, by its link.
+// Opens the page at a step, by its link.
 function onStep(file, step, test, viewport = desktop) {
   return withPage(browser, file, { viewport, ready: isReady }, async (page) => {
     await page.goto(`${page.url().split("#")[0]}#step=${step}`);
@@ -204,7 +204,7 @@ test("on a desktop the page needs no scrolling at all", async () => {
   });
 });
 
-// In the page: the backgrounds of names of faces.
+// Returns, in the page, the backgrounds of names of faces.
 function chipColours() {
   const probe = document.body.appendChild(document.createElement("span"));
   const colours = [0, 1, 2, 3, 4, 5, 6, 7].map((i) => {

@@ -1,4 +1,5 @@
-// Scene files that are none, and cameras that are none, through the command: exit code 1, one line, nothing written.
+// Scene files that are none, and cameras that are none, go through the command: it gives exit code 1 and one line, and
+// writes nothing.
 #include <doctest/doctest.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -77,7 +78,7 @@ const std::vector<SceneCase> cases{
     {"utf16.toml", 1, "not valid TOML"},
 };
 
-// A folder that is gone afterwards, for files that cannot be kept.
+// The folder is gone afterwards; it is for files that cannot be kept.
 struct Folder : TemporaryFolder {
   std::string mesh = file("triangle.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
 

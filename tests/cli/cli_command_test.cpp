@@ -1,4 +1,4 @@
-// The built command from outside: exit codes, what it prints, what it writes.
+// The built command is tested from outside: exit codes, what it prints, what it writes.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -38,7 +38,7 @@ void check_one_line(const std::string& err) {
   CHECK(err.back() == '\n');
 }
 
-// What may differ between runs.
+// Leaves out what may differ between runs.
 Json without_costs(const std::string& report) {
   Json json = Json::parse(report);
   json.erase("times_s");

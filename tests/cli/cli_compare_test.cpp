@@ -1,4 +1,4 @@
-// The command `sightline compare`: what becomes of runs, and what is written of them.
+// The command `sightline compare` runs the peers: this tests what becomes of runs, and what is written of them.
 #include <doctest/doctest.h>
 #include <tbb/global_control.h>
 

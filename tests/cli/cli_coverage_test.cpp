@@ -1,4 +1,4 @@
-// coverage.csv: its text, through the command, and when it appears.
+// This tests coverage.csv: its text, through the command, and when it appears.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -16,8 +16,8 @@ namespace fs = std::filesystem;
 
 constexpr const char* head = "face,camera,panel,visible_area,reflecting_area,visible_share,reflecting_share";
 
-// Parallel rays straight down on a square of side 4 and a triangle beside it, and on a face that is none: `left` sees
-// [0, 2] x [0, 2] of the square, `middle, low` [1, 3] x [1, 3].
+// Parallel rays go straight down on a square of side 4 and a triangle beside it, and on a face that is none: `left`
+// sees [0, 2] x [0, 2] of the square, `middle, low` [1, 3] x [1, 3].
 struct Squares : TemporaryFolder {
   Squares() {
     static_cast<void>(file("mesh.obj",

@@ -1,4 +1,4 @@
-// Panels in every output of the command.
+// This tests panels in every output of the command.
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
@@ -14,8 +14,8 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-// The mirror of tests/reflection_test.cpp, in two triangles: the panel "left" is mirrored in the unit square around the
-// origin, half of it in each triangle; the panel "dark" shows its back.
+// This is the mirror of tests/reflect/reflection_test.cpp, in two triangles: the panel "left" is mirrored in the unit
+// square around the origin, half of it in each triangle; the panel "dark" shows its back.
 struct Results : TemporaryFolder {
   Results() {
     static_cast<void>(file("floor.obj", "v -8 -8 0\nv 8 -8 0\nv 8 8 0\nv -8 8 0\nf 1 2 3\nf 1 3 4\n"));
@@ -100,7 +100,7 @@ TEST_CASE("the summary says what each panel is worth") {
 
 namespace {
 
-// A floor of 8 x 8 squares with sides of 1/2, two triangles each, with the panel "left" of above a little larger.
+// A floor has 8 x 8 squares with sides of 1/2, two triangles each, and the panel "left" of above is a little larger.
 struct TiledFloor : TemporaryFolder {
   TiledFloor() {
     std::string obj;
@@ -116,7 +116,7 @@ struct TiledFloor : TemporaryFolder {
     static_cast<void>(file("floor.obj", obj));
   }
 
-  // The report of an analysis with these lines in [reflection].
+  // Returns the report of an analysis with these lines in [reflection].
   Json analysed(const std::string& reflection) {
     const std::string scene = file("scene.toml",
                                    "[mesh]\nfile = \"floor.obj\"\n[[camera]]\nname = \"down\"\nimage = [2, 2]\n"

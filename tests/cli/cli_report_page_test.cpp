@@ -1,4 +1,5 @@
-// report.html: its data, what it leaves out, and when the command writes it. Browsers look at it in tests/browser.
+// This tests report.html: its data, what it leaves out, and when the command writes it. Browsers look at it in
+// tests/browser.
 #include <doctest/doctest.h>
 #include <zlib.h>
 
@@ -50,7 +51,7 @@ std::string gunzipped(std::string bytes) {
   return result;
 }
 
-// The page's blocks, unpacked; an empty one stays empty.
+// Returns the page's blocks, unpacked; an empty one stays empty.
 std::vector<std::string> blocks_of(const std::string& page) {
   const std::string begin = "id=\"page-data\">";
   const std::size_t at = page.find(begin) + begin.size();
@@ -69,7 +70,7 @@ std::size_t count_of(const std::string& block, const std::string& name) {
   return 0;
 }
 
-// A square that hides a part of the triangle behind it: pieces that are seen, and one that is not.
+// A square hides a part of the triangle behind it: there are pieces that are seen, and one that is not.
 struct Hidden {
   Mesh mesh;
   View view;
@@ -88,7 +89,7 @@ Hidden hidden_part() {
   return result;
 }
 
-// The page of so many views, with room for so many triangles.
+// Returns the page of so many views, with room for so many triangles.
 std::vector<std::string> page_blocks(const Hidden& hidden, std::size_t views, std::size_t room) {
   ReportPage page(room);
   for (std::size_t i = 0; i < views; ++i)

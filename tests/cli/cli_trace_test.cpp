@@ -1,4 +1,4 @@
-// `sightline trace` as a command: its log and page, and what it refuses.
+// `sightline trace` is tested as a command: its log and page, and what it refuses.
 #include <doctest/doctest.h>
 
 #include <fmt/format.h>
@@ -15,7 +15,7 @@ namespace {
 
 const std::string fang_scene = SIGHTLINE_FIXTURES_DIR "/fang/scene.toml";
 
-// A sheet of n x n vertices.
+// Returns a sheet of n x n vertices.
 std::string sheet(int n) {
   std::string obj;
   for (int y = 0; y < n; ++y) {
@@ -95,7 +95,7 @@ TEST_CASE("trace command: more than 5000 sweep points are refused with the numbe
   CHECK(all.err.find("5000") != std::string::npos);
   CHECK(all.err.find("narrower fov_y") != std::string::npos);
   CHECK_FALSE(std::filesystem::exists(log));
-  // Cropped, by the other camera.
+  // The other camera crops it.
   CHECK(tests::run_sightline({"trace", scene, "--camera", "near", "--log", log}).exit_code == 0);
   CHECK(nlohmann::json::parse(tests::read_text(log))["camera"] == "near");
 }

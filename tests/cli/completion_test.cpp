@@ -14,7 +14,7 @@ namespace {
 
 using Words = std::set<std::string>;
 
-// What bash offers for the last of the words.
+// Returns what bash offers for the last of the words.
 Words offered(const TemporaryFolder& folder, const std::vector<std::string>& words) {
   const std::string script = folder.file("completion.bash", run_sightline({"completion", "bash"}).out);
   std::string line;
@@ -29,7 +29,7 @@ Words offered(const TemporaryFolder& folder, const std::vector<std::string>& wor
   return result_words;
 }
 
-// Every option that the help of a command has.
+// Returns every option that the help of a command has.
 Words options_in_help(const std::vector<std::string>& command) {
   const std::string help = run_sightline(command).out;
   const std::string options = help.substr(0, help.find("Example"));

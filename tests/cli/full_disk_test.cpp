@@ -1,4 +1,4 @@
-// A disk that is full, at every amount of space left: the old results stay as they are.
+// A disk is full, at every amount of space left: the old results stay as they are.
 #include <doctest/doctest.h>
 #include <fcntl.h>
 #include <sched.h>
@@ -26,8 +26,8 @@ constexpr int pages_of_disk = 200;
 
 void write_text(const fs::path& file, const std::string& text) { std::ofstream(file) << text; }
 
-// A name space of its own, in which a file system can be mounted without anyone else seeing it; without rights, by way
-// of a user name space, where the system allows that.
+// Enters a name space of its own, in which a file system can be mounted without anyone else seeing it; without rights,
+// by way of a user name space, where the system allows that.
 bool enter_mount_space() {
   const uid_t user = getuid();
   const gid_t group = getgid();
@@ -59,7 +59,7 @@ bool is_one_line_about_space(const std::string& err) {
          err.find("cannot be written: No space left on device") != std::string::npos;
 }
 
-// Runs the command with so much space; "" where the result is as it should be, else what is wrong.
+// Runs the command with so much space; returns "" where the result is as it should be, else what is wrong.
 std::string try_with(const TemporaryFolder& folder, const fs::path& disk, const Snapshot& before, const Snapshot& after,
                      int free_pages, int& refused) {
   fill(disk / "filler", free_pages);
@@ -76,7 +76,8 @@ std::string try_with(const TemporaryFolder& folder, const fs::path& disk, const 
          (left ? ", a temporary folder is left" : "") + ", " + outcome.err;
 }
 
-// In a process of its own, since a mount space cannot be left. Out: a line per thing that is wrong, then a summary.
+// This runs in a process of its own, since a mount space cannot be left. Returns a line per thing that is wrong, then a
+// summary.
 std::string fill_disk(const TemporaryFolder& folder) {
   const fs::path disk = folder.path() / "disk";
   fs::create_directory(disk);
@@ -95,7 +96,7 @@ std::string fill_disk(const TemporaryFolder& folder) {
   return wrong + "tmpfs: " + std::to_string(runs) + " runs, " + std::to_string(refused) + " refused";
 }
 
-// What `work` returns, computed in a child process.
+// Returns what `work` returns, computed in a child process.
 template <class Work>
 std::string in_child(Work work) {
   std::array<int, 2> ends{};

@@ -1,4 +1,4 @@
-// Signals at random moments: the folder of results is the old one or the new one, never half.
+// Signals come at random moments: the folder of results is the old one or the new one, never half.
 #include <doctest/doctest.h>
 
 #include <array>
@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 constexpr int kills_per_signal = 100;
 
-// Two scenes that take turns in one folder: whichever is there is the old result of the next run.
+// Two scenes take turns in one folder: whichever is there is the old result of the next run.
 struct TakingTurns {
   TemporaryFolder folder;
   fs::path results = folder.path() / "results";
@@ -68,7 +68,7 @@ Outcome killed_run(const TakingTurns& turns, int signal, bool while_writing, dou
   return command.wait();
 }
 
-// Of the folders, and the file beside them.
+// Each of the folders, and the file beside them, is one or the other.
 bool every_one_is_old_or_new(const Snapshot& seen, const Snapshot& a, const Snapshot& b) {
   const auto part = [](const Snapshot& all, const std::string& name) {
     Snapshot result;

@@ -1,4 +1,4 @@
-// --max-memory: what it may say, and where its default comes from.
+// This tests what --max-memory may say, and where its default comes from.
 #include "cli/system/memory_limit.h"
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-// Folders of results that appear together: what stays, what goes, what is refused.
+// Folders of results appear together: this tests what stays, what goes, and what is refused.
 #include <doctest/doctest.h>
 #include <fcntl.h>
 #include <sys/file.h>
@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A folder `out` in which earlier results are: page/a and page/b.
+// Earlier results are in the folder `out`: page/a and page/b.
 struct EarlierResults {
   TemporaryFolder folder;
   fs::path out = folder.path() / "out";

@@ -1,4 +1,5 @@
-// The families of `sightline stability`: their scenes, what each arithmetic makes of them, and what is written.
+// The families of `sightline stability` are tested by their scenes, what each arithmetic makes of them, and what is
+// written.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -22,7 +23,7 @@ const StabilityFamily& family(const std::string& name) {
   return *std::find_if(all.begin(), all.end(), [&](const StabilityFamily& f) { return f.name == name; });
 }
 
-// Some values of the parameter, both ends among them.
+// Returns some values of the parameter, both ends among them.
 std::vector<double> some_values(const StabilityFamily& f) {
   std::vector<double> values;
   for (std::size_t i = 0; i < f.values.size(); i += 4) values.push_back(f.values[i]);
@@ -55,7 +56,7 @@ std::size_t count(const std::string& text, const std::string& part) {
   return found;
 }
 
-// The table without the column of times.
+// Returns the table without the column of times.
 std::vector<std::string> without_times(const std::filesystem::path& csv) {
   std::vector<std::string> lines = lines_of(read_text(csv));
   for (std::string& line : lines) line.resize(line.rfind(','));

@@ -53,7 +53,7 @@ class XmlReader {
     return name;
   }
 
-  // Outside of tags: text only within the root, and references where '&' stands.
+  // Outside of tags there may be text only within the root, and references where '&' stands.
   void read_character() {
     const char c = next();
     require(!open_.empty() || std::isspace(static_cast<unsigned char>(c)) != 0, "text outside of the root");

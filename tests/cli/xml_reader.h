@@ -1,8 +1,7 @@
-// A strict reader for the small part of XML that the SVG writer may use.
+// This is a strict reader for the small part of XML that the SVG writer may use.
 //
-// Throws std::runtime_error where the text is not well-formed: tags that do not match, attributes without quotes or
-// twice, a bare
-// '<' or '&', no or several root elements.
+// It throws std::runtime_error where the text is not well-formed: tags that do not match, attributes without quotes or
+// twice, a bare '<' or '&', no or several root elements.
 #pragma once
 
 #include <map>
@@ -16,7 +15,7 @@ struct XmlElement {
   std::map<std::string, std::string> attributes;
 };
 
-// All elements in document order.
+// Returns all elements in document order.
 [[nodiscard]] std::vector<XmlElement> read_xml(const std::string& text);
 
 }  // namespace sightline::tests

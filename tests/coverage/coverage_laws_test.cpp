@@ -1,4 +1,4 @@
-// Coverage on random scenes: its laws, and random points of the surface.
+// Coverage is tested on random scenes by its laws and by random points of the surface.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ namespace {
 constexpr std::size_t camera_count = 3;
 constexpr std::size_t panel_count = 2;
 
-// A scene that passes through itself, with cameras and panels around it.
+// The scene passes through itself, with cameras and panels around it.
 struct SeenScene {
   CutMesh mesh;
   std::vector<LabelledMesh> labelled;  // per camera
@@ -33,7 +33,7 @@ class Random {
  public:
   explicit Random(std::uint64_t seed) : random_(seed) {}
   double between(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
-  // Somewhere in a cube.
+  // Returns a place in a cube.
   Vector3 in_cube(double half_width) {
     const double x = between(-half_width, half_width);
     const double y = between(-half_width, half_width);
@@ -72,7 +72,7 @@ SeenScene seen_scene(std::uint64_t seed) {
   return scene;
 }
 
-// Of one surface: the triangles of all cameras that are seen, or that reflect one of the panels.
+// Returns the triangles of all cameras on one surface that are seen, or that reflect one of the panels.
 std::vector<SpaceTriangle> triangles_on(const SeenScene& scene, FacetId surface, bool reflecting) {
   std::vector<SpaceTriangle> triangles;
   for (const LabelledMesh& labelled : scene.labelled) {
@@ -92,7 +92,7 @@ double surface_area(const CutMesh& mesh, FacetId surface) {
   return area;
 }
 
-// Both areas of every face, by a sweep for each surface whoever sees it.
+// These are both areas of every face, by a sweep for each surface whoever sees it.
 struct Swept {
   double area = 0;
   double error = 0;
@@ -152,7 +152,7 @@ void check_against_sweeps(const Coverage& coverage, const SeenScene& scene) {
   }
 }
 
-// Whether p, in the triangle's plane but for rounding, is in it; the triangle may have either orientation.
+// Returns whether p, in the triangle's plane but for rounding, is in it; the triangle may have either orientation.
 bool is_in(const SpaceTriangle& t, const Point3& p) {
   const Vector3 normal = cross(t[1] - t[0], t[2] - t[0]);
   for (std::size_t i = 0; i < 3; ++i) {
@@ -181,7 +181,7 @@ struct Hits {
   double variance = 0;
 };
 
-// On surfaces of one triangle.
+// Precondition: surfaces have one triangle.
 void shoot(const SeenScene& scene, Random& random, Hits& hits) {
   const CutMesh& mesh = scene.mesh;
   for (FacetId s(0); s.index() < mesh.facet_count(); s = end_of_surface(mesh, s)) {

@@ -1,4 +1,4 @@
-// What several cameras see together, and mirror together, against areas found by hand.
+// What several cameras see together, and mirror together, is held against areas found by hand.
 #include "coverage/coverage.h"
 
 #include <doctest/doctest.h>
@@ -13,7 +13,7 @@
 namespace sightline::tests::coverage_test {
 namespace {
 
-// Parallel rays straight down: it sees the square of this half width around (x, y).
+// Parallel rays go straight down: the camera sees the square of this half width around (x, y).
 Camera over(double x, double y, double half_width) {
   Camera camera;
   camera.name = "over";
@@ -85,7 +85,7 @@ TEST_CASE("a surface that is tilted, or all but upright, has its area in space")
 
 TEST_CASE("a planar face that is not convex is one surface, in several facets") {
   const Corners angle{{0, 0, 0}, {4, 0, 0}, {4, 2, 0}, {2, 2, 0}, {2, 4, 0}, {0, 4, 0}};
-  // [0, 3] x [0, 2.5] and [0, 2.5] x [1.5, 4], without what lies beyond both of x = 2 and y = 2.
+  // The cameras see [0, 3] x [0, 2.5] and [0, 2.5] x [1.5, 4], without what lies beyond both of x = 2 and y = 2.
   const Coverage coverage = covered({angle}, {over(1.5, 1, 1.5), over(1, 3, 1.5)});
   CHECK(is_close(coverage.cameras[0].visible, 7));
   CHECK(is_close(coverage.cameras[1].visible, 5.25));
@@ -94,7 +94,7 @@ TEST_CASE("a planar face that is not convex is one surface, in several facets") 
 
 TEST_CASE("faces that pass through each other, cut along their common line") {
   const Corners floor{{-2, -2, 0}, {2, -2, 0}, {2, 2, 0}, {-2, 2, 0}};
-  // Above the floor for x from 0 to 1/2, where it hides it.
+  // The wall is above the floor for x from 0 to 1/2, where it hides it.
   const Corners wall{{-0.5, -2, -1}, {0.5, -2, 1}, {0.5, 2, 1}, {-0.5, 2, -1}};
   const Coverage coverage = covered({floor, wall}, {over(0, 0, 1), over(0.5, 0, 1)});
   REQUIRE(coverage.faces.size() == 2);
@@ -130,7 +130,7 @@ TEST_CASE("reflections of two panels in two cameras overlap") {
   const std::vector<Panel> panels{{"a", {{1, -1, 4}, {3, -1, 4}, {3, 1, 4}, {1, 1, 4}}, Emits::both},
                                   {"b", {{2, -1, 4}, {4, -1, 4}, {4, 1, 4}, {2, 1, 4}}, Emits::both}};
   const Coverage coverage = covered({floor}, {looking_down({-2, 0, 4}), looking_down({-1, 0, 4})}, panels);
-  // In x: a in [-1/2, 1/2] and [0, 1], b in [0, 1] and [1/2, 3/2]; in y all in [-1/2, 1/2].
+  // In x, a is mirrored in [-1/2, 1/2] and [0, 1], b in [0, 1] and [1/2, 3/2]; in y all are in [-1/2, 1/2].
   for (const CoveredAreas& camera : coverage.cameras) {
     CHECK(is_close(camera.visible, 64));
     CHECK(is_close(camera.panels[0], 1));

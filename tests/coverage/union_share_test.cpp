@@ -1,4 +1,4 @@
-// The union of triangles on a surface: by hand, and what must not matter to it.
+// The union of triangles on a surface is tested by hand, and by what must not matter to it.
 #include "coverage/union_share.h"
 
 #include <doctest/doctest.h>
@@ -26,7 +26,7 @@ Triangles joined(Triangles a, const Triangles& b) {
   return a;
 }
 
-// map: from the plane z = 0 to anywhere.
+// `map` goes from the plane z = 0 to anywhere.
 template <class Map>
 UnionShare mapped_share(const Triangles& triangles, Map map) {
   Corners surface = square;
@@ -102,7 +102,7 @@ TEST_CASE("on a needle the bound is wider, and holds") {
   for (const int bits : {4, 10, 20, 30}) {
     CAPTURE(bits);
     const double width = std::ldexp(1.0, -bits);
-    // Along the diagonal, so that it fills little of its rectangle.
+    // The needle lies along the diagonal, so that it fills little of its rectangle.
     const auto needle = [&](const Point3& p) { return Point3{p.x + width * p.y, p.x - width * p.y, 0}; };
     const UnionShare found = mapped_share(overlapping, needle);
     CHECK(std::fabs(found.share - 7.0 / 16) <= found.error);
@@ -110,7 +110,7 @@ TEST_CASE("on a needle the bound is wider, and holds") {
   }
 }
 
-// Strips from bottom to top: their union is known from their ends.
+// Strips go from bottom to top: their union is known from their ends.
 TEST_CASE("the bound holds on random strips") {
   const unsigned seed = std::random_device{}();
   MESSAGE("seed " << seed);

@@ -5,7 +5,7 @@
 namespace sightline::extremes {
 namespace {
 
-// The first few, in one text.
+// Returns the first few, in one text.
 std::string some(Complaints complaints) {
   if (complaints.size() > 5) complaints.resize(5);
   return lattice::joined(complaints);

@@ -21,7 +21,7 @@ bool in_window(const ImagePoint& p, std::int64_t half) {
   return p.x > -half && p.x < half && p.y > -half && p.y < half;
 }
 
-// Three grid units from about `count` of the scene's points, diagonally.
+// The rays are three grid units from about `count` of the scene's points, diagonally.
 std::vector<ImagePoint> rays_beside_corners(const ProjectedScene& scene, std::size_t count) {
   const std::size_t stride = 1 + 4 * scene.points.size() / count;
   std::vector<ImagePoint> rays;

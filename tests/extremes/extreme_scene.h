@@ -1,4 +1,4 @@
-// The scenes of fixtures/extremes: reading them, and what must hold for each from each of its cameras.
+// The scenes of fixtures/extremes are read here; each must hold the same from each of its cameras.
 #pragma once
 
 #include <functional>
@@ -20,7 +20,7 @@ struct ExtremeScene {
   std::vector<Camera> cameras;
 };
 
-// What one camera sees.
+// A sight is what one camera sees.
 struct Sight {
   Camera camera;
   Sides sides = Sides::both;
@@ -30,18 +30,18 @@ struct Sight {
 
 [[nodiscard]] ExtremeScene read_extreme(const std::string& name);
 
-// Camera and sides as the command takes them.
+// Camera and sides are as the command takes them.
 [[nodiscard]] Sight sight(const tests::AnyMesh& mesh, const Camera& camera, SidesPolicy policy);
 
 [[nodiscard]] const Camera& camera_called(const std::vector<Camera>& cameras, std::string_view name);
 [[nodiscard]] const Sight& sight_from(const std::vector<Sight>& sights, std::string_view name);
 
-// The faces for which wanted(face) is true, in their order, with all vertices.
+// Returns the faces for which wanted(face) is true, in their order, with all vertices.
 [[nodiscard]] Mesh with_faces(const Mesh& mesh, const std::function<bool(FaceId)>& wanted);
 
 [[nodiscard]] Rational total(const std::vector<Rational>& areas);
 
-// Whether the image needs no rounding: every corner, clipped ones included, is a grid point, exactly.
+// Returns whether the image needs no rounding: every corner, clipped ones included, is a grid point, exactly.
 [[nodiscard]] bool is_exact(const tests::AnyMesh& mesh, const Sight& sight);
 
 }  // namespace sightline::extremes

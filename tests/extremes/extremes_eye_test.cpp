@@ -1,4 +1,4 @@
-// Extreme scenes in which the eye is in a special place, or the view volume is extreme.
+// In these extreme scenes the eye is in a special place, or the view volume is extreme.
 #include <doctest/doctest.h>
 
 #include "tests/extremes/checked_scene.h"
@@ -10,7 +10,7 @@ namespace {
 
 using Areas = std::vector<Rational>;
 
-// Faces of a box, in the order of the files: left, right, bottom, top, back, front; the wall behind is face 6.
+// The faces of a box are, in the order of the files, left, right, bottom, top, back, front; the wall behind is face 6.
 
 }  // namespace
 
@@ -39,7 +39,7 @@ TEST_CASE("extreme scene eye_in_face_plane: beside the face, and within it") {
   const Sight& beside = scene.from("beside");
   CHECK(is_exact(scene.mesh, beside));
   CHECK(beside.view.scene.facing[1] == Facing::edge_on);
-  // The front, 2 by 2 at distance 2, where the window is 4 wide; the wall fills the rest.
+  // The front is 2 by 2 at distance 2, where the window is 4 wide; the wall fills the rest.
   CHECK(beside.areas == Areas{0, 0, 0, 0, 0, 1, 3});
   const Sight& within = scene.from("within");
   CHECK(is_exact(scene.mesh, within));

@@ -1,4 +1,4 @@
-// Extreme scenes of many faces: what is seen is known by a formula.
+// These extreme scenes have many faces: what is seen is known by a formula.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr Allowances large{.coplanar = false, .large = true};
 
-// The scene shrunk to what the rational oracle takes, seen by the same cameras.
+// The scene is shrunk to what the rational oracle takes, and seen by the same cameras.
 void check_part(const CheckedScene& scene, const std::function<bool(FaceId)>& wanted) {
   const Mesh part = with_faces(scene.mesh, wanted);
   CHECK(part.face_count() >= 10);
@@ -28,17 +28,19 @@ void check_part(const CheckedScene& scene, const std::function<bool(FaceId)>& wa
   }
 }
 
-// The window as 64 by 64 squares: the borders of grid_head_on's cells fall between them, for both of its cameras.
+// The window is taken as 64 by 64 squares: the borders of grid_head_on's cells fall between them, for both of its
+// cameras.
 constexpr int squares = 64;
 
-// The column or row at which a coordinate lies.
+// Returns the column or row at which a coordinate lies.
 std::size_t square_at(double coordinate, double half_width) {
   const double place = (coordinate / half_width + 1) * (squares / 2);
   REQUIRE(place == std::floor(place));
   return static_cast<std::size_t>(place);
 }
 
-// What is seen of rectangles parallel to the window, in order of depth: painted into the squares that are free yet.
+// Returns what is seen of rectangles parallel to the window, in order of depth: they are painted into the squares that
+// are free yet.
 std::vector<Rational> painted_areas(const Mesh& mesh, const Camera& camera) {
   std::vector<std::uint8_t> taken(squares * squares, 0);
   std::vector<Rational> areas(mesh.face_count());
@@ -106,7 +108,7 @@ TEST_CASE("extreme scene touching_cubes: from straight above five cubes of the f
     CHECK(straight.areas[f] == (is_top && height(0) >= 2 ? Rational(1, 4) : Rational(0)));
   }
   CHECK(total(straight.areas) == Rational(9, 4));
-  // The first cubes: two at the bottom, touching along an edge, one that touches both, and one above.
+  // The first cubes are two at the bottom, touching along an edge, one that touches both, and one above.
   check_part(scene, [](FaceId f) { return f.value / 6 < 3 || f.value / 6 == 5; });
 }
 

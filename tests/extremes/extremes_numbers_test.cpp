@@ -1,4 +1,4 @@
-// Extreme scenes of extreme numbers, and scenes that show one face or none.
+// These extreme scenes have extreme numbers, or show one face or none.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ Mesh scaled(const Mesh& mesh, int exponent) {
   return build_mesh(std::move(vertices), mesh.faces);
 }
 
-// Sees the scaled mesh as the camera sees the mesh.
+// The result sees the scaled mesh as the camera sees the mesh.
 Camera scaled(Camera camera, int exponent) {
   camera.origin = scaled(camera.origin, exponent);
   if (camera.projection == Projection::perspective) {

@@ -27,7 +27,7 @@ Names files_ending_with(const std::string& extension) {
   return names;
 }
 
-// What the pattern's first group matches in a text.
+// Returns what the pattern's first group matches in a text.
 Names names_in(const std::string& text, const char* pattern) {
   const std::regex expression(pattern);
   Names names;

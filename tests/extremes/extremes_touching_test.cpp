@@ -1,4 +1,4 @@
-// Extreme scenes of faces that touch, coincide, are thin or are seen edge-on.
+// In these extreme scenes faces touch, coincide, are thin or are seen edge-on.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ Rational sum(const std::vector<Rational>& areas, std::size_t begin, std::size_t 
   return total({areas.begin() + static_cast<std::ptrdiff_t>(begin), areas.begin() + static_cast<std::ptrdiff_t>(end)});
 }
 
-// The mesh with the faces from begin on, up to end, in the opposite order.
+// Returns the mesh with the faces from begin on, up to end, in the opposite order.
 Mesh with_range_reversed(const Mesh& mesh, std::size_t begin, std::size_t end) {
   PolygonList faces;
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
@@ -54,7 +54,7 @@ TEST_CASE("extreme scene coplanar_tessellations: the lower index hides the highe
   const CheckedScene scene = checked("coplanar_tessellations", {.coplanar = true, .large = false});
   const Sight& above = scene.from("above");
   CHECK(is_exact(scene.mesh, above));
-  // [-1, 1/2]^2 in two triangles; [-1/2, 1]^2 without [-1/2, 1/2]^2; the rest of [-1, 1]^2.
+  // What is seen is [-1, 1/2]^2 in two triangles, [-1/2, 1]^2 without [-1/2, 1/2]^2, and the rest of [-1, 1]^2.
   CHECK(above.areas[0] == Rational(9, 8));
   CHECK(above.areas[1] == Rational(9, 8));
   CHECK(sum(above.areas, 2, 10) == Rational(9, 4) - 1);

@@ -1,4 +1,4 @@
-// The policy for the public collection of malformed OBJ files, one table row per file.
+// This is the policy for the public collection of malformed OBJ files, one table row per file.
 #include <doctest/doctest.h>
 
 #include "tests/tools/command_case.h"

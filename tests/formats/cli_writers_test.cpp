@@ -57,7 +57,7 @@ Analysed analysed(const std::string& scene_file, std::size_t camera) {
 
 Analysed fang() { return analysed("fang/scene.toml", 0); }
 
-// Awkward doubles, to be read back bit for bit.
+// The doubles are awkward, to be read back bit for bit.
 LabelledMesh two_triangles() {
   LabelledMesh labelled;
   labelled.vertices = {{0.1, -0.0, 1e-310}, {1e300, 1.0 / 3, -5e-324}, {0.1 + 0.2, 4, 5}, {6, 7, 8}};
@@ -80,7 +80,7 @@ bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; 
 
 using Pair = std::array<double, 2>;
 
-// In Fang's units, by the shoelace formula.
+// The area is in Fang's units, by the shoelace formula.
 double shoelace(const std::vector<Pair>& ring) {
   double twice = 0;
   for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -191,7 +191,7 @@ TEST_CASE("faces.csv reads back as the measures, and Fang's areas are those of h
 }
 
 TEST_CASE("a face that is partly in view or skipped has the measures of its part") {
-  // A square of side 2 in the plane z = 0, of which the window [-1, 1]^2 shows the half x < 1; and a degenerate face.
+  // The window [-1, 1]^2 shows the half x < 1 of a square of side 2 in the plane z = 0; and there is a degenerate face.
   PolygonList faces;
   faces.push_back(std::vector{VertexId(0), VertexId(1), VertexId(2), VertexId(3)});
   faces.push_back(std::vector{VertexId(0), VertexId(1), VertexId(0)});

@@ -1,4 +1,4 @@
-// Files that ask for more than there is: bounded memory, bounded time, one line.
+// Files may ask for more than there is: they get bounded memory, bounded time, and one line.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -115,7 +115,7 @@ TEST_CASE("vertices and faces without end stop at the limit, with both numbers")
 
 namespace {
 
-// One in each cell of a square; no two share a corner.
+// There is one in each cell of a square; no two share a corner.
 std::string lone_triangles(std::size_t cells) {
   std::string text;
   for (std::size_t i = 0; i < cells; ++i) {
@@ -128,7 +128,7 @@ std::string lone_triangles(std::size_t cells) {
   return text;
 }
 
-// Two layers of needles, across each other: count^2 crossings, all of them visible.
+// Two layers of needles lie across each other: they make count^2 crossings, all of them visible.
 std::string woven_needles(std::size_t count) {
   std::string text;
   for (std::size_t i = 0; i < count; ++i) {

@@ -1,4 +1,5 @@
-// The OBJ reader against the files in fixtures/bad-obj, numbers bit for bit, and a second reader for structure.
+// The OBJ reader is held against the files in fixtures/bad-obj, numbers bit for bit, and against a second reader for
+// structure.
 #include "formats/reading/obj_reader.h"
 
 #include <doctest/doctest.h>
@@ -139,7 +140,7 @@ TEST_CASE("a warning lists at most ten faces and counts all") {
 
 std::uint64_t bits(double value) { return std::bit_cast<std::uint64_t>(value); }
 
-// All values as the coordinates of vertices, read back.
+// Returns all values as the coordinates of vertices, read back.
 std::vector<double> read_back(const std::vector<std::string>& numbers) {
   std::string text;
   for (std::size_t i = 0; i + 2 < numbers.size(); i += 3)
@@ -206,7 +207,7 @@ TEST_CASE("a hundred thousand doubles come back bit for bit") {
   check_same_bits(read_back(digits), values);
 }
 
-// Structure only: its numbers are not correctly rounded.
+// Only the structure is compared: its numbers are not correctly rounded.
 void check_against_tinyobjloader(const std::filesystem::path& path) {
   INFO("file: " << path.string());
   tinyobj::attrib_t attributes;

@@ -1,4 +1,4 @@
-// Every input of fuzz/corpus through the check that the fuzzer runs on it, once.
+// Every input of fuzz/corpus goes once through the check that the fuzzer runs on it.
 #include <doctest/doctest.h>
 
 #include <algorithm>

@@ -19,7 +19,7 @@ namespace {
 constexpr unsigned seed = 20240;
 constexpr std::array inexact{Arithmetic::single_precision, Arithmetic::double_precision};
 
-// How runs ended.
+// These count how runs ended.
 struct Outcomes {
   int complete = 0;
   int too_weak = 0;
@@ -41,7 +41,7 @@ double magnitude(std::mt19937& random, int exponents) {
   return std::ldexp(1.0, std::uniform_int_distribution<int>(-exponents, exponents)(random));
 }
 
-// Around the origin, of any size, and now and then a hair from another one.
+// Vertices are around the origin, of any size, and now and then a hair from another one.
 std::vector<Point3> extreme_vertices(std::mt19937& random, std::size_t count, int exponents) {
   std::uniform_real_distribution<double> unit(-1, 1);
   std::vector<Point3> vertices;
@@ -75,7 +75,7 @@ Camera looking_at(const Mesh& mesh, double distance) {
   return perspective_camera("extreme", {eye, {0, 0, 0}, {0, 1, 0}, 1, {}, {}}, 40);
 }
 
-// Two squares that cover each other seen from far up z; the nearer one is the second, by `gap`.
+// Two squares cover each other seen from far up z; the nearer one is the second, by `gap`.
 Mesh two_sheets(double gap) {
   std::vector<Point3> vertices;
   PolygonList faces;

@@ -42,7 +42,8 @@ struct Pose {
   ViewPoint view;  // the same as eye, target and up
 };
 
-// A rotation about y by `angle`, seen from `eye`: the camera's x, y (down) and z (forward) axes are the rows of r.
+// The pose is a rotation about y by `angle`, seen from `eye`: the camera's x, y (down) and z (forward) axes are the
+// rows of r.
 Pose turned_pose(double angle, const Point3& eye) {
   const double c = std::cos(angle);
   const double s = std::sin(angle);
@@ -73,7 +74,7 @@ Matrix34 product(const Matrix3& k, const Pose& pose) {
   return p;
 }
 
-// By hand: pixels of v through P, then to the window.
+// This computes by hand: it takes v to pixels through P, then to the window.
 Point2 window_through(const Matrix34& p, const PixelImage& image, const Point3& v) {
   std::array<double, 3> h{};
   for (std::size_t i = 0; i < 3; ++i) h[i] = ((p[i][0] * v.x + p[i][1] * v.y) + p[i][2] * v.z) + p[i][3];
@@ -81,7 +82,7 @@ Point2 window_through(const Matrix34& p, const PixelImage& image, const Point3& 
   return {2 * (h[0] / h[2] + shift) / image.width - 1, 1 - 2 * (h[1] / h[2] + shift) / image.height};
 }
 
-// Points around a place five in front of the eye.
+// Returns points around a place five in front of the eye.
 std::vector<Point3> points_before(const ViewPoint& view) {
   std::vector<Point3> points;
   const Point3 centre = view.eye + 5.0 * (view.target - view.eye);

@@ -1,4 +1,4 @@
-// Cutting along common lines, by hand on small scenes; random scenes are in crossing_test.cpp.
+// Small scenes are cut along common lines, by hand; random scenes are in crossing_test.cpp.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -42,7 +42,7 @@ Camera from_above(double height = 4) {
   return orthographic_camera("above", {{0, 0, 10}, {0, 0, 0}, {0, 1, 0}, 1, {}, {}}, height);
 }
 
-// In window units.
+// Areas are in window units.
 std::vector<double> visible_areas(const View& view) {
   const CutMesh& mesh = view.scene.mesh();
   std::vector<double> areas(mesh.face_count());
@@ -89,7 +89,7 @@ TEST_CASE("three squares at right angles make four pieces each, and meet in one 
 }
 
 TEST_CASE("a chord that ends inside a facet is cut on to its border, and to the next cut only") {
-  // Two blades through one floor, neither reaching across it.
+  // Two blades go through one floor, neither reaching across it.
   const CutMesh mesh = lattice::cut(mesh_of({{{-4, -4, 0}, {4, -4, 0}, {4, 4, 0}, {-4, 4, 0}},
                                              {{-2, -1, -1}, {-2, 1, -1}, {-2, 1, 1}, {-2, -1, 1}},
                                              {{1, -2, -1}, {3, -2, -1}, {3, -2, 1}, {1, -2, 1}}}));
@@ -100,7 +100,7 @@ TEST_CASE("a chord that ends inside a facet is cut on to its border, and to the 
 }
 
 TEST_CASE("what cuts an edge cuts it for the neighbour that nothing passes through") {
-  // A roof of two facets; a blade passes through the one, over the edge that it shares with the other.
+  // A roof has two facets; a blade passes through the one, over the edge that it shares with the other.
   const Mesh whole = mesh_of({{{-2, 0, 0}, {2, 0, 0}, {2, 2, 0}, {-2, 2, 0}},
                               {{2, 0, 0}, {-2, 0, 0}, {-2, -2, -1}, {2, -2, -1}},
                               {{0.5, 0, -1}, {0.5, 1, -1}, {0.5, 1, 1}, {0.5, 0, 1}}});
@@ -125,7 +125,7 @@ TEST_CASE("a point that no double holds is rounded once, and is one point for al
 }
 
 TEST_CASE("faces that nothing shows keep no line of the cut") {
-  // Two squares that cross below a third one that hides both.
+  // Two squares cross below a third one that hides both.
   const Mesh whole = mesh_of({upright(1, 1), upright(1, -1), {{-2, -2, 5}, {2, -2, 5}, {2, 2, 5}, {-2, 2, 5}}});
   const CutMesh mesh = lattice::cut(whole);
   const View view = analyzed(mesh, from_above());

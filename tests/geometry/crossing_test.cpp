@@ -1,4 +1,4 @@
-// sightline against the rational oracle on random scenes whose faces pass through each other.
+// sightline is held against the rational oracle on random scenes whose faces pass through each other.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -18,19 +18,19 @@ using namespace lattice;
 
 namespace {
 
-// Where points are off the grid: what rounding can change, and whatever that is, no more than 2^-38 of the window, whose
-// area is 4.
+// Where points are off the grid, this is what rounding can change, and whatever that is, no more than 2^-38 of the
+// window, whose area is 4.
 Rational allowed_difference(const ProjectedScene& scene) {
   return Rational(std::min(rounding_bound(scene), 4 * 0x1p-38));
 }
 
-// In window units squared.
+// The area is in window units squared.
 Rational in_window_units(const Rational& grid_area, int grid_bits) {
   return grid_area / Rational(BigInteger(1) << static_cast<unsigned>(2 * grid_bits));
 }
 
-// Whether every point that cutting made falls on the grid exactly, where the camera sees it. One that clipping made of a
-// facet that was cut may not.
+// Returns whether every point that cutting made falls on the grid exactly, where the camera sees it. One that clipping
+// made of a facet that was cut may not.
 bool cuts_are_on_grid(const View& view) {
   const CutMesh& mesh = view.scene.mesh();
   for (std::size_t f = 0; mesh.is_cut() && f < mesh.facet_count(); ++f) {
@@ -55,7 +55,7 @@ std::string text(const Rational& value) {
   return out.str();
 }
 
-// bound: 0 where every point is on the grid.
+// The bound is 0 where every point is on the grid.
 void compare_areas(Complaints& complaints, const Truth& truth, const std::vector<Rational>& areas,
                    const Rational& bound) {
   Rational uncovered = 4;
@@ -78,7 +78,7 @@ Place place(const LabelledMesh& labelled, VertexId v) {
   return {p.x, p.y, p.z};
 }
 
-// The sides of a face's seen triangles that no other seen triangle of the face has, on a line by their ends.
+// Returns the sides of a face's seen triangles that no other seen triangle of the face has, on a line by their ends.
 std::set<PlacePair> seen_border(const LabelledMesh& labelled, FaceId face) {
   std::set<PlacePair> border;
   for (const LabelledTriangle& t : labelled.triangles) {
@@ -92,7 +92,7 @@ std::set<PlacePair> seen_border(const LabelledMesh& labelled, FaceId face) {
   return border;
 }
 
-// Pairs of visible segments of two faces that run along one common line, to and fro.
+// Returns how many pairs of visible segments of two faces run along one common line, to and fro.
 std::size_t common_segments(const View& view) {
   const CutMesh& mesh = view.scene.mesh();
   std::set<std::array<std::uint32_t, 3>> known;
@@ -109,8 +109,8 @@ std::size_t common_segments(const View& view) {
   return pairs;
 }
 
-// Where two faces are seen on either side of their common line, they meet there in the same points of space, bit for bit.
-// Returns how many such pieces of lines there are.
+// Where two faces are seen on either side of their common line, they meet there in the same points of space, bit for
+// bit. Returns how many such pieces of lines there are.
 std::size_t check_meetings(Complaints& complaints, const View& view) {
   const CutMesh& mesh = view.scene.mesh();
   std::vector<std::set<PlacePair>> borders;

@@ -1,4 +1,4 @@
-// Which sides count: every way in which a mesh may fail to be a closed solid, and every place of the eye.
+// This tests which sides count: every way in which a mesh may fail to be a closed solid, and every place of the eye.
 #include "geometry/projection/culling.h"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ struct Solid {
   std::vector<std::vector<std::size_t>> faces;
 };
 
-// The box [low, high], its faces counter-clockwise seen from outside.
+// Returns the box [low, high], its faces counter-clockwise seen from outside.
 Solid box(const Point3& low, const Point3& high) {
   Solid solid;
   for (int i = 0; i < 8; ++i) {
@@ -47,7 +47,7 @@ Solid together(Solid a, const Solid& b) {
   return a;
 }
 
-// An L in the x-y plane, of height 1: [0, 2]^2 without (1, 2]^2.
+// Returns an L in the x-y plane, of height 1: [0, 2]^2 without (1, 2]^2.
 Solid l_shape() {
   const std::vector<Point2> outline{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
   Solid solid;
@@ -224,8 +224,8 @@ TEST_CASE("the sign of a volume is exact, far from the origin, tiny or huge") {
   CHECK(volume_sign(far, all_facets(far)) == 1);
 }
 
-// A tent and the same tent with its top moved by one last bit, inside out, on one base that neither has: together a
-// closed sheet whose volume is a sixth of that bit.
+// A tent and the same tent with its top moved by one last bit, inside out, stand on one base that neither has: together
+// they are a closed sheet whose volume is a sixth of that bit.
 TEST_CASE("a volume of one last bit has the right sign") {
   for (const double height : {1 - 0x1p-53, 1 + 0x1p-52}) {
     const Solid sheet{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.3, 0.7, 1}, {0.3, 0.7, height}},

@@ -1,5 +1,5 @@
-// Triangulation of polygons that touch themselves, against the law of areas and a winding number counted point by
-// point.
+// Polygons that touch themselves are triangulated, and held against the law of areas and a winding number counted point
+// by point.
 #include "geometry/mesh/face_triangulation.h"
 
 #include <doctest/doctest.h>
@@ -13,7 +13,7 @@
 namespace sightline::tests::face_triangulation_test {
 namespace {
 
-// A polygon over vertices on a small integer grid in z = 0. Corners at one place are one vertex.
+// The polygon has vertices on a small integer grid in z = 0. Corners at one place are one vertex.
 struct GridPolygon {
   std::vector<Point3> vertices;
   std::vector<VertexId> corners;
@@ -21,7 +21,7 @@ struct GridPolygon {
   [[nodiscard]] PolygonView view() const { return {corners, vertices}; }
 };
 
-// Twice the signed area; exact for small integers.
+// Returns twice the signed area, exactly for small integers.
 double doubled_area(std::span<const VertexId> corners, std::span<const Point3> vertices) {
   double area = 0;
   for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -44,7 +44,7 @@ class GridRandom {
 
   std::size_t below(std::size_t end) { return std::uniform_int_distribution<std::size_t>(0, end - 1)(random_); }
 
-  // The grid's points, in random order.
+  // Returns the grid's points, in random order.
   std::vector<Point3> shuffled_grid() {
     std::vector<Point3> points;
     for (std::size_t i = 0; i < side_ * side_; ++i)
@@ -61,8 +61,8 @@ class GridRandom {
 
 const FaceView from_above{{0, 0, 1}, {}, {}};
 
-// Ears put on instead of clipped: each new triangle stands outside on an edge and overlaps no other, so the boundary is
-// weakly simple; on a small grid it soon touches itself in points and along edges, and closes round holes.
+// Ears are put on instead of clipped: each new triangle stands outside on an edge and overlaps no other, so the
+// boundary is weakly simple; on a small grid it soon touches itself in points and along edges, and closes round holes.
 struct GrownPolygon {
   GridPolygon polygon;
   std::vector<Triangle> triangles;
@@ -109,7 +109,7 @@ std::vector<Triangle> reversed(std::vector<Triangle> triangles) {
   return triangles;
 }
 
-// On an upright plane, so that no coordinate can be dropped without thought: x and y change places with z = 2x + 3y.
+// The plane is slanted, so that no coordinate can be dropped without thought: x and y change places with z = 2x + 3y.
 std::vector<Point3> on_slanted_plane(std::vector<Point3> vertices) {
   for (Point3& p : vertices) p = {p.y, 2 * p.x + 3 * p.y, p.x};
   return vertices;
@@ -153,8 +153,8 @@ TEST_CASE("the first corner, the direction and the plane do not matter") {
   }
 }
 
-// How often the polygon goes round a point given in units of 1 / scale, counted along a ray to the right; nullopt if
-// the point is on it.
+// Returns how often the polygon goes round a point given in units of 1 / scale, counted along a ray to the right;
+// nullopt if the point is on it.
 std::optional<int> winding_number(const GridPolygon& polygon, std::int64_t x, std::int64_t y, std::int64_t scale) {
   int winding = 0;
   for (std::size_t i = 0; i < polygon.corners.size(); ++i) {
@@ -173,7 +173,7 @@ std::optional<int> winding_number(const GridPolygon& polygon, std::int64_t x, st
   return winding;
 }
 
-// Whether all sample points have winding number 0 or 1 in the polygon's direction.
+// Returns whether all sample points have winding number 0 or 1 in the polygon's direction.
 bool goes_round_once(const GridPolygon& polygon, int side, double area) {
   constexpr std::int64_t scale = 2 * 29;
   for (std::int64_t y = 1; y < side * scale; y += 2) {

@@ -31,7 +31,7 @@ inline RationalPoint outer(const RationalPoint& a, const RationalPoint& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-// The points x with normal . (x - origin) >= 0.
+// These are the points x with normal . (x - origin) >= 0.
 struct HalfSpace {
   RationalPoint normal;
   RationalPoint origin;
@@ -55,7 +55,7 @@ inline RationalPolygon clip(const RationalPolygon& polygon, const HalfSpace& h) 
   return result;
 }
 
-// Of a strictly convex polygon: its first three corners are not on one line.
+// Precondition: the polygon is strictly convex, so that its first three corners are not on one line.
 inline HalfSpace above(const RationalPolygon& polygon) {
   return {outer(minus(polygon[1], polygon[0]), minus(polygon[2], polygon[0])), polygon[0]};
 }
@@ -112,7 +112,7 @@ inline bool is_shared(const RationalPolygon& a, const RationalPolygon& b, const 
          is_edge(b, *points.begin(), *points.rbegin());
 }
 
-// Whether the middle of the line they meet in is inside both, and their planes differ.
+// Returns whether the middle of the line they meet in is inside both, and their planes differ.
 inline bool interiors_cross(const RationalPolygon& a, const RationalPolygon& b) {
   const auto points = meeting_points(a, b);
   if (points.size() < 2 || outer(above(a).normal, above(b).normal) == RationalPoint{0, 0, 0}) return false;
@@ -126,7 +126,7 @@ inline Contact contact_by_clipping(const RationalPolygon& a, const RationalPolyg
   return is_shared(a, b, meeting_points(a, b)) ? Contact::none : Contact::touching;
 }
 
-// What kind of case a pair is, so that the test can tell that it had them all.
+// Returns what kind of case a pair is, so that the test can tell that it had them all.
 inline std::string kind(const RationalPolygon& a, const RationalPolygon& b, Contact contact) {
   const auto shared = std::count_if(a.begin(), a.end(), [&](const RationalPoint& p) { return is_corner(b, p); });
   if (contact == Contact::none) return "apart, shared corners: " + std::to_string(shared);

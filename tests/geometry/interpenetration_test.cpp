@@ -1,4 +1,5 @@
-// Contacts of facets, held against all pairs in rational arithmetic by another method: clipping one facet to the other.
+// Contacts of facets are held against all pairs in rational arithmetic by another method: clipping one facet to the
+// other.
 #include "geometry/cutting/interpenetration.h"
 
 #include <algorithm>
@@ -60,8 +61,8 @@ Mesh mesh_of(const std::vector<std::vector<Point3>>& polygons) {
   return build_mesh(std::move(vertices), std::move(faces));
 }
 
-// Triangles and parallelograms on a small grid, some of them in a common plane and some on two corners of another, so
-// that they meet in every way.
+// Triangles and parallelograms are on a small grid, some of them in a common plane and some on two corners of another,
+// so that they meet in every way.
 std::vector<std::vector<Point3>> random_polygons(Generator& random) {
   std::vector<std::vector<Point3>> polygons;
   for (int i = 0; i < 9; ++i) {
@@ -100,7 +101,7 @@ Contact contact_between(const MeshContacts& contacts, const Pair& pair) {
   return crossing ? Contact::crossing : (touching ? Contact::touching : Contact::none);
 }
 
-// The contact of the first two facets.
+// Returns the contact of the first two facets.
 Contact contact_of_two(const std::vector<Point3>& a, const std::vector<Point3>& b) {
   const Mesh mesh = mesh_of({a, b});
   REQUIRE(mesh.facet_count() == 2);
@@ -116,7 +117,7 @@ std::filesystem::path shared_models() {
 #endif
 }
 
-// Every face as a fan of triangles from its first corner, as the figures of the models suppose.
+// Returns every face as a fan of triangles from its first corner, as the figures of the models suppose.
 Mesh fanned(const Mesh& mesh) {
   PolygonList triangles;
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
@@ -251,9 +252,10 @@ TEST_CASE("overlapping boxes are found once each, as among all pairs") {
   }
 }
 
-// X and touch of the models' README, which calls a pair crossing only where an edge of one passes through the other's
-// interior, and leaves out pairs that share an edge. Not here: openscad-nonmanifold-crash
-// and CornellBox-Mirror, whose figures count repeated triangles again, which a mesh has once.
+// The figures are X and touch of the models' README, which calls a pair crossing only where an edge of one passes
+// through the other's interior, and leaves out pairs that share an edge. Two models are not here,
+// openscad-nonmanifold-crash and CornellBox-Mirror: their figures count repeated triangles again, which a mesh has
+// once.
 TEST_CASE("the models meet themselves as often as their README says") {
   struct Figures {
     const char* name;

@@ -1,4 +1,4 @@
-// build_mesh on the public models, and validate on meshes with one thing broken.
+// build_mesh is tested on the public models, and validate on meshes with one thing broken.
 #include "geometry/mesh/mesh.h"
 #include "geometry/mesh/shared_corners.h"
 
@@ -25,8 +25,8 @@ PolygonList polygons(const std::vector<std::vector<std::size_t>>& lists) {
   return result;
 }
 
-// A planar quad, a concave pentagon of three facets on its right edge, a skipped face, a warped quad; the vertices 4
-// and 1, and 5 and 2, are equal.
+// The example has a planar quad, a concave pentagon of three facets on its right edge, a skipped face, and a warped
+// quad; the vertices 4 and 1, and 5 and 2, are equal.
 Mesh example() {
   return build_mesh({{0, 0, 0},
                      {2, 0, 0},
@@ -51,7 +51,7 @@ TEST_CASE("vertices are welded, facets and edges numbered in order") {
   CHECK(mesh.weld[4] == VertexId(1));
   CHECK(mesh.weld[5] == VertexId(2));
   CHECK(mesh.edges.front() == std::array{VertexId(0), VertexId(3)});
-  // 4 of the quad, 4 + 2 more of the pentagon, 3 + 1 more of the warped quad.
+  // The quad has 4, the pentagon 4 + 2 more, the warped quad 3 + 1 more.
   CHECK(mesh.edges.size() == 4 + 4 + 2 + 3 + 1);
 }
 
@@ -88,7 +88,7 @@ struct Mutation {
   std::function<void(Mesh&)> break_it;
 };
 
-// The facets of the example: 0 the quad, 1 to 3 the pentagon, 4 and 5 the warped quad.
+// The facets of the example are 0 of the quad, 1 to 3 of the pentagon, 4 and 5 of the warped quad.
 const std::vector<Mutation> mutations{
     {"facet_face: names no face", [](Mesh& m) { m.facet_face[0] = FaceId(99); }},
     {"facet_face: not one entry", [](Mesh& m) { m.facet_face.pop_back(); }},
@@ -133,7 +133,7 @@ TEST_CASE("validate reports a broken array with the ids") {
   }
 }
 
-// The example with other facets, and edges to match, so that only the shapes are wrong.
+// Returns the example with other facets, and edges to match, so that only the shapes are wrong.
 Mesh with_facets(const std::vector<std::vector<std::size_t>>& facets, std::vector<std::size_t> first_of_face) {
   Mesh mesh = example();
   mesh.facets = polygons(facets);
@@ -152,26 +152,27 @@ TEST_CASE("validate reports facets of the wrong shape") {
   const std::vector<std::size_t> first{0, 1, 4, 4, 6};
   CHECK(validate(with_facets({quad, {4, 8, 6}, {8, 7, 6}, {6, 5, 4}, {3, 2, 10}, {3, 10, 9}}, first)) ==
         std::vector<std::string>{});
-  // The quad as a triangle.
+  // The quad is a triangle.
   check_reported(with_facets({{0, 1, 2}, {4, 8, 6}, {8, 7, 6}, {6, 5, 4}, {3, 2, 10}, {3, 10, 9}}, first),
                  "face 0 is not covered");
-  // The quad turned over.
+  // The quad is turned over.
   check_reported(with_facets({{3, 2, 1, 0}, {4, 8, 6}, {8, 7, 6}, {6, 5, 4}, {3, 2, 10}, {3, 10, 9}}, first),
                  "face 0 is not covered");
-  // Two corners exchanged.
+  // Two corners are exchanged.
   check_reported(with_facets({quad, {8, 4, 6}, {8, 7, 6}, {6, 5, 4}, {3, 2, 10}, {3, 10, 9}}, first),
                  "face 1 is not covered");
-  // A fan round a corner that does not see the others: the boundary is right, a triangle is turned over.
+  // A fan goes round a corner that does not see the others: the boundary is right, a triangle is turned over.
   check_reported(with_facets({quad, {5, 4, 8}, {5, 8, 7}, {5, 7, 6}, {3, 2, 10}, {3, 10, 9}}, first),
                  "face 1 has facets that overlap");
-  // The warped quad in one piece, and the pentagon.
+  // The warped quad is in one piece, and so is the pentagon.
   check_reported(with_facets({quad, {4, 8, 6}, {8, 7, 6}, {6, 5, 4}, {3, 2, 10, 9}}, {0, 1, 4, 4, 5}),
                  "facet 4 is not planar");
   check_reported(with_facets({quad, {4, 8, 7, 6, 5}, {3, 2, 10}, {3, 10, 9}}, {0, 1, 2, 2, 4}),
                  "facet 1 is not convex");
 }
 
-// A row of the models' README: triangles after fanning, vertices, boundary edges, edges with more than two faces.
+// A row of the models' README has triangles after fanning, vertices, boundary edges, and edges with more than two
+// faces.
 struct Model {
   std::string file;
   std::size_t triangles;
@@ -197,7 +198,7 @@ const std::vector<Model> models{
     {"armadillo.obj", 345944, 172974, 0, 0},
 };
 
-// For each edge of the faces as given, ends welded, how many faces use it.
+// Returns, for each edge of the faces as given, ends welded, how many faces use it.
 std::vector<std::size_t> faces_per_edge(const Mesh& mesh) {
   std::vector<std::pair<VertexId, VertexId>> edges;
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {

@@ -1,4 +1,4 @@
-// Each tier of the predicates against the next, and the exact tier against rationals.
+// Each tier of the predicates is held against the next, and the exact tier against rationals.
 #include "geometry/numbers/predicates.h"
 
 #include <doctest/doctest.h>
@@ -48,7 +48,7 @@ int rational_in_circle(const Point2& a, const Point2& b, const Point2& c, const 
   return sign(determinant);
 }
 
-// Coordinates that make predicates hard: on a small grid, a last bit away from it, far off, and of any size.
+// These coordinates make predicates hard: they are on a small grid, a last bit away from it, far off, and of any size.
 class HardCoordinates {
  public:
   explicit HardCoordinates(unsigned seed) : random_(seed) {}
@@ -79,7 +79,7 @@ class HardCoordinates {
   int kind_ = 0;
 };
 
-// How often each outcome was met.
+// These count how often each outcome was met.
 struct Outcomes {
   int undecided = 0;
   int zero = 0;
@@ -184,7 +184,8 @@ TEST_CASE("in_circle: a filter that answers is right where squares underflow bes
 }
 
 TEST_CASE("orient3d: products that underflow beside a huge difference") {
-  // The determinant is 2^1000 2^-537 2^-538 - 2^58 2^400 2^-538 = 2^-75 - 2^-80, and the first product of two underflows.
+  // The determinant is 2^1000 2^-537 2^-538 - 2^58 2^400 2^-538 = 2^-75 - 2^-80, and the first product of two
+  // underflows.
   const Point3 origin{0, 0, 0};
   const Point3 b{std::ldexp(1.0, 1000), std::ldexp(1.0, 58), 0};
   const Point3 c{std::ldexp(1.0, 400), std::ldexp(1.0, -537), 0};
@@ -231,7 +232,7 @@ TEST_CASE("a quotient is rounded once, as the division of doubles rounds it") {
     CHECK(rounded_quotient(BigInteger(BigInteger(numerator) * scale), BigInteger(denominator)) ==
           std::ldexp(numerator / denominator, 150));
   }
-  // Halfway between two doubles, and one part in 2^200 beyond.
+  // The quotient is halfway between two doubles, and then one part in 2^200 beyond.
   const BigInteger half = (BigInteger(1) << 53) + 1;
   CHECK(rounded_quotient(half, BigInteger(1)) == 0x1p53);
   CHECK(rounded_quotient(BigInteger((half << 200) + 1), BigInteger(BigInteger(1) << 200)) == 0x1p53 + 2);

@@ -1,4 +1,4 @@
-// The projection of vertices and facets: tiers against each other, and the contract of the projected scene.
+// Vertices and facets are projected: tiers are held against each other, and the projected scene against its contract.
 #include <doctest/doctest.h>
 
 #include <random>
@@ -25,7 +25,7 @@ Mesh triangle(const Point3& a, const Point3& b, const Point3& c) {
   return build_mesh({a, b, c}, std::move(faces));
 }
 
-// x right, y up, looking along -z from the origin; the window's border is at |x| = |z|.
+// The camera has x right, y up, and looks along -z from the origin; the window's border is at |x| = |z|.
 Camera straight_camera() { return perspective_camera("straight", {{0, 0, 0}, {0, 0, -1}, {0, 1, 0}, 1, {}, {}}, 90); }
 
 constexpr unsigned seed = 7;

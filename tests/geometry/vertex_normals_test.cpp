@@ -1,4 +1,4 @@
-// Normals: as files give them, and as means.
+// Normals come as files give them, and as means.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -17,7 +17,7 @@ const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 
 bool is_near(const Vector3& a, const Vector3& b) { return norm(a - b) < 1e-15; }
 
-// The corner of a box at the origin, its three faces of different sizes.
+// The corner of a box is at the origin, its three faces of different sizes.
 Mesh box_corner(double scale) {
   const std::vector<Point3> places{{0, 0, 0}, {0, 1, 0}, {1, 1, 0}, {1, 0, 0}, {0, 0, 2}, {1, 0, 2}, {0, 1, 2}};
   std::vector<Point3> vertices;
@@ -68,7 +68,7 @@ TEST_CASE("without given normals a corner has the mean of the faces around it, w
 }
 
 TEST_CASE("vertices at one place share their mean, and given normals stand") {
-  // Two triangles of a roof, each with its own vertices.
+  // Two triangles make a roof, each with its own vertices.
   const ObjFile roof =
       read_obj("v 0 0 0\nv 0 1 0\nv -1 0 -1\nv 0 0 0\nv 1 0 -1\nv 0 1 0\nf 1 2 3\nf 4 5 6\n", "roof.obj");
   const std::vector<Vector3> means = vertex_normals(roof.mesh, {});

@@ -1,4 +1,4 @@
-// The oracle itself, on scenes whose answer is known by hand, and against a second way to compute it.
+// The oracle itself is tested on scenes whose answer is known by hand, and against a second way to compute it.
 #include <doctest/doctest.h>
 
 #include "oracle/judging/judge.h"
@@ -9,7 +9,7 @@ using namespace lattice;
 
 namespace {
 
-// The plane nearness = n everywhere.
+// This is the plane nearness = n everywhere.
 Plane level(std::int64_t nearness) { return {0, 0, 1, -nearness}; }
 
 Ring box(std::int64_t x0, std::int64_t y0, std::int64_t x1, std::int64_t y1) {
@@ -123,8 +123,8 @@ TEST_CASE("facing: counter-clockwise seen from the eye is front, also where a co
 }
 
 TEST_CASE("a floor that passes below the eye is clipped to a trapezoid that reaches the window's lower corners") {
-  // y = -1 between x = -1 and 1, from behind the eye to depth 2: in the image up to y = -1/4, and there x = -1/4 ..
-  // 1/4.
+  // The floor is y = -1 between x = -1 and 1, from behind the eye to depth 2: in the image it is up to y = -1/4, and
+  // there x = -1/4 .. 1/4.
   const auto floor = seen_by(looking_down_z(), {{-1, -1, -2}, {-1, -1, 2}, {1, -1, 2}, {1, -1, -2}});
   const auto ring = clipped_image_of(floor);
   REQUIRE(ring);

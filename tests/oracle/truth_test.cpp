@@ -1,4 +1,5 @@
-// The rational oracle itself: against the integer oracle of the tests, and on scenes whose answer is known by hand.
+// The rational oracle itself is held against the integer oracle of the tests, and tested on scenes whose answer is
+// known by hand.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -13,7 +14,7 @@ using namespace lattice;
 
 namespace {
 
-// Looks along -z. A pinhole at the origin sees |x|, |y| <= -z; the other camera |x|, |y| <= 1.
+// The camera looks along -z. A pinhole at the origin sees |x|, |y| <= -z; the other camera |x|, |y| <= 1.
 Camera looking_down_z(Projection projection) {
   Camera camera;
   camera.projection = projection;
@@ -34,7 +35,7 @@ Rational total(const Truth& truth) {
   return sum;
 }
 
-// Both oracles on one scene; the integers' unit is half_window.
+// Both oracles see one scene; the integers' unit is half_window.
 void check_same(const RandomScene& scene) {
   const Mesh mesh = mesh_of(scene);
   const Truth truth = true_visibility(mesh, scene.camera, scene.sides);
@@ -45,7 +46,7 @@ void check_same(const RandomScene& scene) {
   for (std::size_t f = 0; f < mesh.face_count(); ++f) CHECK(truth.visible_area[f] == integers.area[f] * unit);
 }
 
-// A rectangle in the plane z = depth + slope * x.
+// Returns a rectangle in the plane z = depth + slope * x.
 Corners slope_over_x(double x0, double y0, double x1, double y1, double depth, double slope) {
   return {{x0, y0, depth + slope * x0},
           {x1, y0, depth + slope * x1},
@@ -89,14 +90,14 @@ TEST_CASE("two crossing rectangles, seen in parallel: each is visible on its sid
 }
 
 TEST_CASE("two crossing rectangles, seen in perspective: the common line's image is not at the middle") {
-  // At z = -2 the first is |x|, |y| <= 1, in the image 1/2. The second is z = -2 + x / 2 from x = -1 (z = -5/2, image
-  // x = -2/5) to x = 1 (z = -3/2, image x = 2/3), and passes through the first at x = 0. It is y = 0 .. 1 deep: its image
+  // At z = -2 the first is |x|, |y| <= 1, in the image 1/2. The second is z = -2 + x / 2 from x = -1 (z = -5/2, image x
+  // = -2/5) to x = 1 (z = -3/2, image x = 2/3), and passes through the first at x = 0. It is y = 0 .. 1 deep: its image
   // is from y = 0 to 1 / -z, where image x is s: z = -2 + s (-z) / 2, 1 / -z = (2 + s) / 4.
   const Mesh mesh = tests::mesh_of({slope_over_x(-1, -1, 1, 1, -2, 0), slope_over_x(-1, 0, 1, 1, -2, 0.5)});
   const Truth truth = true_visibility(mesh, pinhole, Sides::both);
   const auto integral = [](const Rational& s) { return Rational((2 * s + s * s / 2) / 4); };
   CHECK(truth.visible_area[1] == integral(Rational(2, 3)));
-  // Of the second, what lies before the first's image: up to x = 1/2 and y = 1/2, which it is over throughout.
+  // The second lies before the first's image up to x = 1/2 and y = 1/2, and is over all of that.
   CHECK(truth.visible_area[0] == 1 - Rational(1, 2) * Rational(1, 2));
   CHECK(total(truth) == 4);
 }
@@ -116,7 +117,7 @@ TEST_CASE("a triangle through a square, and a triangle that ends inside it") {
 }
 
 TEST_CASE("three squares that cross each other in one point") {
-  // z = -2, -2 + x, -2 + y.
+  // The planes are z = -2, -2 + x and -2 + y.
   const Mesh mesh = tests::mesh_of({slope_over_x(-0.5, -0.5, 0.5, 0.5, -2, 0),
                                     slope_over_x(-0.5, -0.5, 0.5, 0.5, -2, 1),
                                     {{-0.5, -0.5, -2.5}, {0.5, -0.5, -2.5}, {0.5, 0.5, -1.5}, {-0.5, 0.5, -1.5}}});
@@ -156,7 +157,7 @@ TEST_CASE("near and far planes cut; what lies in one is out of view") {
   camera.near_distance = 1.75;
   camera.far_distance = 2.25;
   CHECK(true_visibility(mesh, camera, Sides::both).visible_area == std::vector<Rational>{Rational(1, 2), 0, 0});
-  // In perspective: the floor y = -1 is seen from its near end at -z = 2, image y = -1/2, to -z = 4, y = -1/4.
+  // In perspective the floor y = -1 is seen from its near end at -z = 2, image y = -1/2, to -z = 4, y = -1/4.
   const Mesh floor = tests::mesh_of({{{-8, -1, 0}, {8, -1, 0}, {8, -1, -8}, {-8, -1, -8}}});
   Camera eye = pinhole;
   eye.near_distance = 2;
@@ -165,14 +166,14 @@ TEST_CASE("near and far planes cut; what lies in one is out of view") {
 }
 
 TEST_CASE("a floor that passes below the eye is clipped at the window") {
-  // y = -1 between x = -1 and 1, from behind the eye to -z = 2: in the image from y = -1, where |x| <= 1, to y = -1/2,
-  // where |x| <= 1/2.
+  // The floor is y = -1 between x = -1 and 1, from behind the eye to -z = 2: in the image it is from y = -1, where |x|
+  // <= 1, to y = -1/2, where |x| <= 1/2.
   const Mesh floor = tests::mesh_of({{{-1, -1, -2}, {-1, -1, 2}, {1, -1, 2}, {1, -1, -2}}});
   CHECK(true_visibility(floor, pinhole, Sides::both).visible_area == std::vector<Rational>{Rational(3, 4)});
 }
 
 TEST_CASE("a face that is not planar counts by facets") {
-  // Folded along a diagonal: one facet is behind a square, the free corner of the other in front of it.
+  // It is folded along a diagonal: one facet is behind a square, the free corner of the other in front of it.
   const Mesh mesh = tests::mesh_of({slope_over_x(-0.5, -0.5, 0.5, 0.5, -2, 0),
                                     {{-0.5, -0.5, -3}, {0.5, -0.5, -3}, {0.5, 0.5, -3}, {-0.5, 0.5, -1}}});
   const Truth truth = true_visibility(mesh, parallel, Sides::both);
@@ -189,7 +190,7 @@ TEST_CASE("any scale: the same areas from denormals to the largest doubles") {
     return true_visibility(tests::mesh_of(faces), pinhole, Sides::both).visible_area;
   };
   for (const double factor : {0x1p-1070, 0x1p-500, 0x1p500, 0x1p1020}) CHECK(scaled(factor) == scaled(1));
-  // Far and near in one scene: the far one fills the window, the near one covers a quarter.
+  // Far and near are in one scene: the far one fills the window, the near one covers a quarter.
   const Mesh both = tests::mesh_of(
       {slope_over_x(-1e150, -1e150, 1e150, 1e150, -1e150, 0), slope_over_x(0, 0, 0x1p-1060, 0x1p-1060, -0x1p-1060, 0)});
   CHECK(true_visibility(both, pinhole, Sides::both).visible_area == std::vector<Rational>{3, 1});
@@ -214,7 +215,7 @@ TEST_CASE("compare: the area where claims are wrong") {
   // Where two faces are claimed the claim is wrong, even if one of them is right.
   CHECK(wrong(mesh, {first, {FaceId(1), {square(0, 1)}}}) == quarter);
   CHECK(wrong(mesh, {{FaceId(1), first.rings}, {FaceId(0), second.rings}}) == Rational(7, 4));
-  // A hole; a claim where nothing is, partly outside the window.
+  // There is a hole, and a claim where nothing is, partly outside the window.
   CHECK(wrong(mesh, {{FaceId(0), {square(-half, half), clockwise(square(-quarter, quarter))}}, second}) == quarter);
   CHECK(wrong(mesh, {first, second, {FaceId(0), {rectangle(-2, -1, Rational(-3, 4), 0)}}}) == quarter);
   // Rings that run clockwise claim nothing; two claims of one face are one.
@@ -222,7 +223,7 @@ TEST_CASE("compare: the area where claims are wrong") {
   CHECK(wrong(mesh, {{FaceId(0), {rectangle(-half, -half, 0, half)}},
                      {FaceId(0), {rectangle(0, -half, half, half)}},
                      second}) == 0);
-  // Too low by a number that no double holds.
+  // The claim is too low by a number that no double holds.
   const Rational third(1, 3);
   CHECK(wrong(mesh, {{FaceId(0), {rectangle(-half, -half - third, half, half - third)}}, second}) == 2 * third);
 }
@@ -236,7 +237,7 @@ TEST_CASE("compare: a claim of the truth itself is right where faces cross") {
     return compare(mesh, pinhole, Sides::both, claims).mislabelled_area;
   };
   CHECK(wrong_part({wall, slope}) == 0);
-  // The common line moved to x = 1/8.
+  // The common line is moved to x = 1/8.
   const Rational x(1, 8);
   const Claim narrow{FaceId(1), {{{x, 0}, {Rational(2, 3), 0}, {Rational(2, 3), Rational(2, 3)}, {x, (2 + x) / 4}}}};
   CHECK(wrong_part({wall, narrow}) == (2 * x + x * x / 2) / 4);

@@ -1,4 +1,4 @@
-// Cohen-Sutherland and Cyrus-Beck against each other and against clipping in rationals.
+// Cohen-Sutherland and Cyrus-Beck are held against each other and against clipping in rationals.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -19,15 +19,15 @@ namespace {
 
 using Exact = boost::multiprecision::cpp_rational;
 
-// A part in exact numbers: [enter, leave] of the line's parameter.
+// A part in exact numbers is [enter, leave] of the line's parameter.
 struct ExactPart {
   Exact enter = 0;
   Exact leave = 1;
   [[nodiscard]] bool is_seen() const { return enter <= leave; }
 };
 
-// Which t of P0 + t D have value + t change <= 0, for each edge of a counter-clockwise polygon; not Cyrus and Beck's
-// sets, but the interval narrowed edge by edge.
+// Returns which t of P0 + t D have value + t change <= 0, for each edge of a counter-clockwise polygon; this does not
+// take Cyrus and Beck's sets, but narrows the interval edge by edge.
 ExactPart exact_part(const Line& line, std::span<const Point2> polygon) {
   ExactPart part;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -78,7 +78,7 @@ double roundings(const Line& line, std::span<const Point2> polygon) {
   return 0x1p-45 * f;
 }
 
-// What came out, against the exact part. Where no more than a point is seen, rounding may decide either way.
+// What came out is held against the exact part. Where no more than a point is seen, rounding may decide either way.
 void check(const std::optional<Line>& clipped, const Line& line, const ExactPart& exact, double roundings) {
   const Line truth{exact_place(line, exact.enter), exact_place(line, exact.leave)};
   const bool is_more_than_a_point = exact.is_seen() && length(truth) > roundings;

@@ -25,7 +25,7 @@ bool all_behind(const std::vector<Point3>& points, const Corners& face) {
   });
 }
 
-// The outward triangles of the hull of points of which no four are in one plane.
+// Returns the outward triangles of the hull of points of which no four are in one plane.
 Body hull_of(const std::vector<Point3>& points) {
   Body faces;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -70,7 +70,7 @@ Point3 on_grid(Dice& dice, int reach) {
   return {x, y, place()};
 }
 
-// From some place around the origin, which bodies of a radius below 1 do not reach.
+// The camera looks from some place around the origin, which bodies of a radius below 1 do not reach.
 Camera looking_at_origin(Dice& dice) {
   ViewPoint view;
   do view.eye = on_grid(dice, 4096);

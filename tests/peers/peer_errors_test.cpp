@@ -1,4 +1,4 @@
-// What the comparison measures, on shapes whose errors are known, and its two ways of measuring against each other.
+// The comparison measures shapes whose errors are known, and its two ways of measuring are held against each other.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 #include "peers/errors/part_errors.h"
 #include "peers/errors/pixel_areas.h"
 #include "peers/errors/pixel_errors.h"
-#include "peers/scene/ring_area.h"
+#include "peers/scene/convex_ring.h"
 
 namespace sightline::tests::peer_errors_test {
 using namespace peers;
@@ -24,7 +24,7 @@ Ring rectangle(double left, double bottom, double right, double top) {
   return {{left, bottom}, {right, bottom}, {right, top}, {left, top}};
 }
 
-// Around a point of its inside, so that it is simple: concave as often as not.
+// The star is drawn around a point of its inside, so that it is simple: it is concave as often as not.
 Ring random_star(std::mt19937& random) {
   std::uniform_real_distribution<double> place(-0.5, 0.5);
   std::uniform_real_distribution<double> radius(0.05, 0.5);
@@ -39,7 +39,7 @@ Ring random_star(std::mt19937& random) {
   return ring;
 }
 
-// One face, everywhere or where a rectangle is.
+// There is one face, everywhere or where a rectangle is.
 ExactParts exact(const VisibleParts& parts) {
   ExactParts result{parts, {}, {}};
   for (const VisiblePart& part : parts) result.areas[part.face] += signed_area(part.ring);

@@ -24,7 +24,7 @@ void check_equals_sweep(const PartsCase& parts) {
   CHECK(overlap_within_faces(parts.parts) <= tolerance);
 }
 
-// How many pairs of projections overlapped.
+// Returns how many pairs of projections overlapped.
 std::uint64_t check_random_scene(const RandomScene& scene) {
   INFO("seed ", scene.seed);
   const PartsCase parts = parts_case(every_pair(), lattice::cut(mesh_of(scene)), scene.camera, scene.sides);

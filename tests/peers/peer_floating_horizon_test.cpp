@@ -1,5 +1,5 @@
-// The floating horizon against the exact sweep, at the columns' centres, on random height fields; and what it
-// refuses.
+// The floating horizon is held against the exact sweep, at the columns' centres, on random height fields; and it
+// refuses what it must.
 #include "peers/lines/floating_horizon.h"
 
 #include <doctest/doctest.h>
@@ -27,8 +27,8 @@ namespace {
 constexpr int resolution = 64;
 constexpr double tolerance = 1e-9;
 
-// y = f(x, z) over a grid of unequal cells, as triangles with either diagonal or, where it is not rough, as
-// quadrangles, too, most not planar. `turn` makes another axis the height.
+// The field is y = f(x, z) over a grid of unequal cells, as triangles with either diagonal or, where it is not rough,
+// as quadrangles, too, most not planar. `turn` makes another axis the height.
 Mesh random_field(Dice& dice, int turn = 0) {
   std::array<std::vector<double>, 2> ground;
   for (auto& values : ground) {
@@ -68,7 +68,7 @@ ViewPoint view_from(const Point3& eye, const Point3& target, const Vector3& up =
   return view;
 }
 
-// Where along x the sweep sees a mesh edge, in the window.
+// This is where along x the sweep sees a mesh edge, in the window.
 struct Interval {
   double begin = 0;
   double end = 0;
@@ -220,8 +220,8 @@ TEST_CASE("Floating horizon: a ridge across the polylines hides, though no polyl
 }
 
 TEST_CASE("Floating horizon, the slides' arrays: a polyline is drawn above YMAX and below YMIN, and moves them there") {
-  // Three polylines of two edges each, seen from the front: the second one is hidden in its middle, the third all
-  // along but for its ends.
+  // There are three polylines of two edges each, seen from the front: the second one is hidden in its middle, the third
+  // all along but for its ends.
   const auto polyline = [](double z, double left, double middle, double right) {
     return std::array{Point3{-1, left, z}, Point3{0, middle, z}, Point3{1, right, z}};
   };

@@ -1,4 +1,4 @@
-// Koucky's retriangulation: right within its limits, and wrong by known areas outside them.
+// Koucky's retriangulation is right within its limits, and wrong by known areas outside them.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -22,7 +22,8 @@ using peers::TriangleOfPoints;
 
 constexpr double tolerance = 1e-9;
 
-// Seen from above, right-angled at its left lower corner; the third side is on x + y = 0. Its area is 1.125.
+// Seen from above the triangle is right-angled at its left lower corner; the third side is on x + y = 0. Its area is
+// 1.125.
 const Corners triangle{{-0.75, -0.75, 0}, {0.75, -0.75, 0}, {-0.75, 0.75, 0}};
 
 Corners rectangle(double left, double bottom, double right, double top) {
@@ -44,7 +45,7 @@ Corners triangle_anywhere(Dice& dice, double height) {
   return {a, b, anywhere(dice, height)};
 }
 
-// The error for a table of squares, each two triangles, under a bar.
+// Returns the error for a table of squares, each two triangles, under a bar.
 double error_under_bar(int squares) {
   std::vector<Corners> polygons{{{-0.8, -0.33, 1}, {-0.7, -0.41, 1}, {0.8, 0.31, 1}, {0.7, 0.43, 1}}};
   const auto place = [&](int i) { return 1.5 * i / squares - 0.75; };

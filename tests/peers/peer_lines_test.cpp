@@ -1,6 +1,6 @@
-// Appel's visible lines against the exact sweep's visible segments, as sets of points of the image: of Appel all
-// visible parts; of the sweep all segments but those along the window's border. Edges inside a planar face are in
-// neither.
+// Appel's visible lines are held against the exact sweep's visible segments, as sets of points of the image: all
+// visible parts of Appel's, and all segments of the sweep but those along the window's border. Edges inside a planar
+// face are in neither.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -44,7 +44,7 @@ Comparison compare(const AnyMesh& mesh, const Camera& camera, Sides sides) {
   return result;
 }
 
-// What many scenes had, so that they did not pass for want of anything hard.
+// These count what many scenes had, so that they did not pass for want of anything hard.
 struct Totals {
   std::size_t scenes = 0;
   std::size_t lines = 0;
@@ -63,7 +63,7 @@ void check_same(const AnyMesh& mesh, const Camera& camera, Sides sides, Totals& 
   totals.crossings += result.crossings;
 }
 
-// Appel's limit: faces that meet outside of shared vertices and edges, and do not pass through each other.
+// Appel's limit is reached where faces meet outside of shared vertices and edges, and do not pass through each other.
 bool touches(const PolygonMesh& mesh) { return !find_contacts(mesh).touching.empty(); }
 
 ViewPoint view_from(const Point3& eye, const Point3& target = {0, 0, 0}) {
@@ -82,7 +82,7 @@ void add_tetrahedron(std::vector<Corners>& faces, const std::array<Point3, 4>& p
   }
 }
 
-// Tetrahedra and triangles anywhere, through each other and across the window's border.
+// There are tetrahedra and triangles anywhere, through each other and across the window's border.
 CutMesh general_mesh(lattice::Dice& dice) {
   const auto point = [&dice] {
     const auto coordinate = [&dice] { return dice.between(-1'000'000, 1'000'000) / 3e5; };
@@ -94,7 +94,7 @@ CutMesh general_mesh(lattice::Dice& dice) {
   return lattice::cut(tests::mesh_of(faces));
 }
 
-// A sheet of cells x cells squares, each two triangles, with random heights.
+// Adds a sheet of cells x cells squares, each two triangles, with random heights.
 void add_sheet(std::vector<Corners>& faces, lattice::Dice& dice, int cells, double height) {
   std::vector<std::vector<Point3>> rows;
   for (int row = 0; row <= cells; ++row) {

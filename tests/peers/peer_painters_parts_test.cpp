@@ -1,4 +1,4 @@
-// What painters are made of: splitting, Newell's tests, trees too high to recurse into.
+// Painters are made of these parts: splitting, Newell's tests, and trees too high to recurse into.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -27,7 +27,7 @@ FlatPolygon square_at(std::size_t face, double depth) { return flat_polygon(face
 
 FlatScene scene_of(std::vector<FlatPolygon> polygons) { return {nullptr, nullptr, std::move(polygons)}; }
 
-// By doubles with 32 bits, so that every sum and product below is exact.
+// The doubles have 32 bits, so that every sum and product below is exact.
 double random_in_window(std::mt19937_64& engine) { return std::ldexp(static_cast<double>(engine() >> 32), -31) - 1; }
 
 bool is_corner_of(const FlatPolygon& polygon, const Corner& corner) {

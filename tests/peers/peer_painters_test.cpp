@@ -58,7 +58,7 @@ Painters run_painters(const Mesh& mesh, const Camera& camera, Sides sides,
           tree.splits};
 }
 
-// Triangles of any size, in any place and direction, most of which pass through others.
+// The triangles have any size, place and direction, and most pass through others.
 Mesh random_triangles(std::uint64_t seed) {
   std::mt19937_64 engine(seed);
   const auto coordinate = [&engine] { return std::ldexp(static_cast<double>(engine() >> 11), -48) - 16; };
@@ -80,10 +80,11 @@ Camera from_above() {
   return orthographic_camera("above", view, 32);
 }
 
-// To a multiple of 1/64, so that what is added up of such numbers is exact.
+// Rounds to a multiple of 1/64, so that what is added up of such numbers is exact.
 double rounded(double x) { return std::round(64 * x) / 64; }
 
-// From one end to the other, two wide, its height changing along it only: a parallelogram, exactly planar.
+// The bar goes from one end to the other and is two wide, its height changing along it only: it is a parallelogram,
+// exactly planar.
 Corners bar(const Point3& from, const Point3& to) {
   const double length = std::hypot(to.x - from.x, to.y - from.y);
   const Vector3 across{rounded((from.y - to.y) / length), rounded((to.x - from.x) / length), 0};
@@ -92,7 +93,8 @@ Corners bar(const Point3& from, const Point3& to) {
   return {begin - across, end - across, end + across, begin + across};
 }
 
-// Along the sides of a regular polygon and beyond: each bar begins under the one before it and ends over the next one.
+// The bars lie along the sides of a regular polygon and beyond: each begins under the one before it and ends over the
+// next one.
 Mesh bars_in_a_ring(int count) {
   const double pi = std::acos(-1.0);
   const auto corner = [&](int i) {

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "peers/scene/convex_ring.h"
-#include "peers/scene/ring_area.h"
 #include "tests/tools/analyzed.h"
 
 namespace sightline::tests {

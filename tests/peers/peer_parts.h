@@ -13,7 +13,7 @@
 
 namespace sightline::tests {
 
-// Per face, in window units squared.
+// Each face has its area, in window units squared.
 using FaceAreas = std::vector<double>;
 
 struct PartsCase {
@@ -26,15 +26,15 @@ struct PartsCase {
 [[nodiscard]] PartsCase parts_case(const peers::Peer& peer, const AnyMesh& mesh, const Camera& camera,
                                    Sides sides = Sides::both);
 
-// The largest difference between what is seen of a face and what the sweep says.
+// Returns the largest difference between what is seen of a face and what the sweep says.
 [[nodiscard]] double largest_error(const PartsCase& parts);
 
-// How much the parts of one face overlap, all faces together. Parts are convex.
+// Returns how much the parts of one face overlap, all faces together. Parts are convex.
 [[nodiscard]] double overlap_within_faces(const peers::VisibleParts& parts);
 
 [[nodiscard]] std::uint64_t number_of(const PartsCase& parts, const std::string& what);
 
-// Looks down the z axis; the window is [-1, 1]^2.
+// The camera looks down the z axis; the window is [-1, 1]^2.
 [[nodiscard]] Camera straight_down();
 
 }  // namespace sightline::tests

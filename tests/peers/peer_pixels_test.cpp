@@ -51,7 +51,7 @@ void compare(const lattice::RandomScene& random, int resolution, Tally& tally) {
   tally.differing += static_cast<std::size_t>(differing_pixels(by_watkins, by_rays));
 }
 
-// Of the scenes of seeds 1, 2, ... the first so many without coplanar overlap.
+// Takes the first so many of the scenes of seeds 1, 2, ... without coplanar overlap.
 void compare_scenes(lattice::RandomScene (*scene_of)(std::uint64_t), std::uint64_t count) {
   Tally tally;
   std::uint64_t seed = 0;
@@ -67,7 +67,7 @@ void compare_scenes(lattice::RandomScene (*scene_of)(std::uint64_t), std::uint64
   CHECK(tally.on_edges > 10 * tally.scenes);
 }
 
-// Two tilted squares that pass through each other along x = 0.1, before a floor; a contract of FlatScene is broken.
+// Two tilted squares pass through each other along x = 0.1, before a floor; a contract of FlatScene is broken.
 FlatScene crossing_squares() {
   const std::vector<Point2> square = rectangle({-0.71, -0.63}, {0.77, 0.69});
   return flat_scene_of({{{1, 0.5, -0.1}, square}, {{-1, 0.5, 0.1}, square}, {{0, 0, 5}, rectangle({-1, -1}, {1, 1})}});
@@ -141,7 +141,8 @@ TEST_CASE("Warnock: an enclosing polygon in front of all others ends the subdivi
 }
 
 TEST_CASE("Warnock: a hidden polygon whose plane comes in front at a corner is not known to be hidden") {
-  // The slides' case 3: behind the enclosing polygon all over its own extent, in front of it at the window's corners.
+  // In the slides' case 3 it is behind the enclosing polygon all over its own extent, in front of it at the window's
+  // corners.
   const FlatScene scene =
       flat_scene_of({{{0, 0, 1}, rectangle({-1, -1}, {1, 1})}, {{2, 0, 2}, rectangle({-0.3, -0.3}, {0.2, 0.2})}});
   const Outcome outcome = warnock().run(scene, 64);
@@ -150,7 +151,8 @@ TEST_CASE("Warnock: a hidden polygon whose plane comes in front at a corner is n
 }
 
 TEST_CASE("Watkins: the active edges of the slides' two triangles") {
-  // A, B, C and D, E, F as in the slides' figure; from scan line to scan line AET holds AB AC; AB AC FD FE; AB DE CB FE.
+  // A, B, C and D, E, F are as in the slides' figure; from scan line to scan line AET holds AB AC; AB AC FD FE; AB DE
+  // CB FE.
   const FlatScene scene = flat_scene_of(
       {{{0, 0, 1}, {{-0.7, -0.95}, {0.2, -0.1}, {-0.5, 0.95}}}, {{0, 0, 2}, {{0.6, -0.6}, {0.8, 0.95}, {0, 0}}}});
   const Outcome outcome = watkins().run(scene, 8);

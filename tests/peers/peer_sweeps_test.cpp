@@ -1,4 +1,4 @@
-// The sweep as a peer: in float and double it errs, or does not end, where the stability runs say so; exact, it does not.
+// The sweep as a peer errs in float and double, or does not end, where the stability runs say so; exact, it does not.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ const Peer& peer_named(const std::vector<Peer>& all, std::string_view name) {
   return *std::find_if(all.begin(), all.end(), [name](const Peer& peer) { return peer.name == name; });
 }
 
-// The part of the window with the wrong face, against the exact sweep; none: it did not end.
+// Returns the part of the window with the wrong face, against the exact sweep; nothing where it did not end.
 std::optional<double> wrong_share(const Peer& peer, const ProjectedScene& scene) {
   const VisibleSegments segments = find_visible_segments(scene);
   const ExactParts exact = exact_parts(scene, segments, reconstruct_polygons(scene, segments));

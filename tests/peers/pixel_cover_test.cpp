@@ -1,4 +1,4 @@
-// Pixels that a polygon covers: every centre belongs to one polygon of a tiling, and scan lines say what places say.
+// A polygon covers pixels: every centre belongs to one polygon of a tiling, and scan lines say what places say.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -36,7 +36,7 @@ Coverage by_places(const FlatScene& scene, const ItemBuffer& buffer) {
   return coverage;
 }
 
-// The window as a fan of triangles around the place.
+// The window is a fan of triangles around the place.
 FlatScene fan_around(const Point2& place) {
   const std::vector<Point2> rim{{-1, -1}, {0.25, -1}, {1, -1}, {1, 0.375}, {1, 1}, {-0.5, 1}, {-1, 1}, {-1, 0.125}};
   std::vector<tests::PlacedPolygon> triangles;

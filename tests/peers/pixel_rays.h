@@ -1,7 +1,4 @@
-// What rays through the centres of pixels see, exactly: what image-precision peers are held against.
-//
-// In:  a mesh and its projected scene; a resolution that is a power of two, so that centres are grid points.
-// Out: the nearest facet's face per pixel, at equal depth the lower face index (tests/oracle/ray_caster.h).
+// Rays go through the centres of pixels and see exactly: image-precision peers are held against them.
 #pragma once
 
 #include <vector>
@@ -12,17 +9,18 @@
 
 namespace sightline::tests {
 
-// Row by row from the lowest one up, left to right; rounded to the grid where the resolution is no power of two.
+// The rays go row by row from the lowest one up, left to right; they are rounded to the grid where the resolution is no
+// power of two.
 [[nodiscard]] std::vector<ImagePoint> rays_through_centres(const peers::ItemBuffer& buffer, int grid_bits);
 
 [[nodiscard]] peers::ItemBuffer seen_by_rays(const ProjectedScene& scene, int resolution);
 
-// How many centres an edge of a facet's image passes through exactly.
+// Returns how many centres an edge of a facet's image passes through exactly.
 [[nodiscard]] std::size_t centres_on_edges(const ProjectedScene& scene, int resolution);
 
 [[nodiscard]] int differing_pixels(const peers::ItemBuffer& a, const peers::ItemBuffer& b);
 
-// How many pixels of the two differ although no edge of any facet's image passes within 1e-9 of their centres.
+// Returns how many pixels of the two differ although no edge of any facet's image passes within 1e-9 of their centres.
 [[nodiscard]] int wrong_pixels(const ProjectedScene& scene, const peers::ItemBuffer& buffer,
                                const peers::ItemBuffer& truth);
 

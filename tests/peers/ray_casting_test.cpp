@@ -42,7 +42,7 @@ SeenTwice look_at(const lattice::RandomScene& random, int resolution) {
   return {std::get<ItemBuffer>(outcome.seen), seen_in_polygons(view, resolution), view.scene};
 }
 
-// Of the scenes of seeds 1, 2, ... the first so many without coplanar overlap.
+// Takes the first so many of the scenes of seeds 1, 2, ... without coplanar overlap.
 void check_scenes(lattice::RandomScene (*scene_of)(std::uint64_t), std::uint64_t count) {
   std::uint64_t seed = 0;
   std::size_t on_edges = 0;
@@ -80,7 +80,7 @@ TEST_CASE("ray casting: double arithmetic does not find the depths of coplanar f
 }
 
 TEST_CASE("ray casting: what no ray meets is not seen") {
-  // Between the centres of the pixels, which are at -1/2 and 1/2.
+  // The triangle is between the centres of the pixels, which are at -1/2 and 1/2.
   const FlatScene flat = tests::flat_scene_of({{{0, 0, 1}, {{-0.4, -0.4}, {0.4, -0.4}, {0, 0.4}}}});
   const auto seen = std::get<ItemBuffer>(ray_casting().run(flat, 2).seen);
   for (const int row : {0, 1}) CHECK((!seen.at(0, row).valid() && !seen.at(1, row).valid()));

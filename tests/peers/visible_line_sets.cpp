@@ -20,7 +20,7 @@ struct Interval {
   double end = 0;
 };
 
-// What of `other` lies on the line, as an interval of its length.
+// Returns what of `other` lies on the line, as an interval of its length.
 std::optional<Interval> common_part(const VisibleLine& line, double length, const VisibleLine& other) {
   const Point2 along{(line.to.x - line.from.x) / length, (line.to.y - line.from.y) / length};
   const auto place = [&](const Point2& p) {
@@ -37,7 +37,7 @@ std::optional<Interval> common_part(const VisibleLine& line, double length, cons
   return part;
 }
 
-// How much of the line none of the others covers: gaps of up to twice the tolerance do not count.
+// Returns how much of the line none of the others covers: gaps of up to twice the tolerance do not count.
 double uncovered(const VisibleLine& line, const VisibleLines& others) {
   const double length = std::hypot(line.to.x - line.from.x, line.to.y - line.from.y);
   if (length <= tolerance) return 0;

@@ -24,7 +24,7 @@ Wide doubled_area(const GridPoint& a, const GridPoint& b, const GridPoint& c) {
   return Wide(b.x - a.x) * (c.y - a.y) - Wide(b.y - a.y) * (c.x - a.x);
 }
 
-// The in-circle determinant; for coordinates of up to 28 bits.
+// This is the in-circle determinant, for coordinates of up to 28 bits.
 Sign circle_sign(const GridPoint& a, const GridPoint& b, const GridPoint& c, const GridPoint& d) {
   const auto lift = [&](const GridPoint& p) { return Wide(p.x - d.x) * (p.x - d.x) + Wide(p.y - d.y) * (p.y - d.y); };
   return sign_of(lift(a) * doubled_area(d, b, c) + lift(b) * doubled_area(d, c, a) + lift(c) * doubled_area(d, a, b));
@@ -54,7 +54,7 @@ class GridPoints : public PlanarPoints {
   std::vector<GridPoint> points_;
 };
 
-// Orientation on a grid, flips in other coordinates: the same points sheared and rounded to a coarser grid.
+// The orientation is on a grid, the flips in other coordinates: the same points sheared and rounded to a coarser grid.
 class RoundedPoints : public GridPoints {
  public:
   RoundedPoints(std::vector<GridPoint> points, std::int64_t cell) : GridPoints(std::move(points)), cell_(cell) {}
@@ -87,7 +87,7 @@ class NeverFlips : public PlanarPoints {
 
 using Random = std::mt19937;
 
-// Not std::uniform_int_distribution, whose values differ between standard libraries.
+// This is not std::uniform_int_distribution, whose values differ between standard libraries.
 std::int64_t below(Random& random, std::int64_t end) {
   return static_cast<std::int64_t>(random() % static_cast<std::uint64_t>(end));
 }
@@ -140,7 +140,7 @@ Wide doubled_area(const HalfEdgeTriangulation& mesh, const GridPoints& points) {
   return sum;
 }
 
-// Andrew's monotone chain along the sweep order, first one side and then the other.
+// Andrew's monotone chain goes along the sweep order, first one side and then the other.
 Wide doubled_hull_area(const GridPoints& points) {
   std::vector<PlanarPointId> hull;
   const auto add = [&](PlanarPointId p, std::size_t base) {
@@ -156,7 +156,8 @@ Wide doubled_hull_area(const GridPoints& points) {
   return sum;
 }
 
-// Whether no constraint crosses or touches the way from the triangle's centroid to p. All coordinates times three.
+// Returns whether no constraint crosses or touches the way from the triangle's centroid to p. All coordinates are times
+// three.
 bool centroid_sees(const std::array<GridPoint, 3>& corners, const GridPoint& p, const GridPoints& points,
                    const std::vector<Constraint>& constraints) {
   const auto tripled = [](const GridPoint& q) { return GridPoint{3 * q.x, 3 * q.y}; };
@@ -170,8 +171,8 @@ bool centroid_sees(const std::array<GridPoint, 3>& corners, const GridPoint& p, 
   });
 }
 
-// The points strictly inside a triangle's circumcircle that its centroid sees: none in a constrained Delaunay
-// triangulation.
+// Returns the points strictly inside a triangle's circumcircle that its centroid sees: there are none in a constrained
+// Delaunay triangulation.
 std::size_t visible_intruders(const HalfEdgeTriangulation& mesh, const GridPoints& points,
                               const std::vector<Constraint>& constraints) {
   std::size_t count = 0;
@@ -358,7 +359,8 @@ TEST_CASE("constrained Delaunay: a thin zigzag, as one polygon") {
   const HalfEdgeTriangulation mesh = constrained_delaunay(points, constraints);
   REQUIRE(validate(mesh, points, constraints) == std::vector<std::string>{});
   const std::vector<Wide> areas = doubled_region_areas(mesh, points);
-  // The inside, a bay below each tooth, and a bay above each gap between two teeth. The two ends are on the hull.
+  // The regions are the inside, a bay below each tooth, and a bay above each gap between two teeth. The two ends are on
+  // the hull.
   CHECK(areas.size() == 1 + teeth + (teeth - 1));
   CHECK(std::count(areas.begin(), areas.end(), doubled_area(corners)) == 1);
 }

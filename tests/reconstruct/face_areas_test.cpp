@@ -1,4 +1,4 @@
-// How sharp the check of areas is, by hand: what rounding can do is allowed, little more is not.
+// The check of areas is sharp, by hand: what rounding can do is allowed, little more is not.
 #include "reconstruct/labelling/face_areas.h"
 
 #include <doctest/doctest.h>
@@ -12,7 +12,7 @@ namespace {
 using Messages = std::vector<std::string>;
 using Triangles = std::vector<std::array<std::size_t, 3>>;
 
-// One face, with one more vertex, seen from a side; the grid's spacing is 16 * 2^-40.
+// There is one face, with one more vertex, seen from a side; the grid's spacing is 16 * 2^-40.
 Messages messages_for(const Triangles& triangles, const Point3& fourth_vertex) {
   const Mesh mesh = tests::mesh_of({{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}});
   const Camera camera = orthographic_camera("any", {{3, 5, 9}, {0, 0, 0}, {0, 1, 0}, 1, {}, {}}, 32);

@@ -1,4 +1,4 @@
-// How the surface is refined: where the pieces of a face meet, and where pieces of two faces do.
+// The surface is refined where the pieces of a face meet, and where pieces of two faces do.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -15,14 +15,14 @@ namespace {
 
 Camera slanting() { return perspective_camera("slanting", {{1, -9, 6}, {0, 0, 0}, {0, 0, 1}, 1, {}, {}}, 50); }
 
-// Between a -> b and a -> c.
+// The angle is between a -> b and a -> c.
 double angle(const Point3& a, const Point3& b, const Point3& c) {
   const Vector3 u = b - a;
   const Vector3 v = c - a;
   return std::atan2(norm(cross(u, v)), dot(u, v));
 }
 
-// Per edge within one face and label the sum of the angles opposite to it.
+// Returns, per edge within one face and label, the sum of the angles opposite to it.
 std::vector<double> opposite_angles(const LabelledMesh& labelled) {
   struct Edge {
     double sum = 0;
@@ -51,7 +51,7 @@ std::vector<double> opposite_angles(const LabelledMesh& labelled) {
   return angles;
 }
 
-// Two triangles with a common edge across the window, and before them a small one that hides the edge's middle.
+// Two triangles have a common edge across the window, and before them a small one hides the edge's middle.
 std::vector<Point3> splits_of_common_edge(lattice::Dice& dice, bool exchange) {
   const auto near = [&](double x, double y, double z) {
     const auto off = [&] { return dice.between(-1000, 1000) / 3001.0; };

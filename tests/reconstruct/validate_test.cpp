@@ -1,4 +1,4 @@
-// The checkers of the stages: silent on right values, and for each message a value with one thing broken.
+// The checkers of the stages are silent on right values, and for each message there is a value with one thing broken.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -33,7 +33,7 @@ Mesh mesh_of(std::vector<Point3> vertices, const std::vector<Corners>& faces) {
   return build_mesh(std::move(vertices), std::move(list));
 }
 
-// Everything up to the polygons, looked at along -z; the window is the square from (0, 0) to (16, 16).
+// The stages have everything up to the polygons, looked at along -z; the window is the square from (0, 0) to (16, 16).
 struct Stages {
   Mesh mesh;
   ProjectedScene scene;
@@ -51,7 +51,7 @@ Stages stages_of(Mesh mesh) {
   return stages;
 }
 
-// Fang 1993, 5.3: face 0 is the pentagon ABCDE, face 1 the triangle OPQ behind it.
+// In Fang 1993, 5.3, face 0 is the pentagon ABCDE, face 1 the triangle OPQ behind it.
 Stages fang() {
   return stages_of(mesh_of({{2, 9, 1}, {4, 2, 1}, {8, 5, 1}, {7, 8, 1}, {4, 11, 1}, {6, 12, 0}, {2, 4, 0}, {14, 0, 0}},
                            {{0, 1, 2, 3, 4}, {5, 6, 7}}));
@@ -88,7 +88,7 @@ struct Breakage {
   std::function<void(Value&)> break_it;
 };
 
-// The first segment that has the facet to its left and holds the condition.
+// Returns the first segment that has the facet to its left and holds the condition.
 template <class Condition>
 VisibleSegment& find_segment(Stages& stages, FacetId facet, Condition condition) {
   const auto found = std::ranges::find_if(stages.segments.segments,
@@ -217,7 +217,7 @@ TEST_CASE("validate reports a thread that leads nowhere") {
   CHECK(static_cast<std::size_t>(refused) == stages.segments.segments.size() - 3);
 }
 
-// The same rings in another order, dealt out to the polygons by their ring_count.
+// Returns the same rings in another order, dealt out to the polygons by their ring_count.
 VisiblePolygons arranged(const VisiblePolygons& polygons, const std::vector<std::size_t>& rings,
                          std::vector<VisiblePolygon> dealt) {
   VisiblePolygons result;
@@ -235,7 +235,7 @@ VisiblePolygons arranged(const VisiblePolygons& polygons, const std::vector<std:
   return result;
 }
 
-// Of wall(): ring 0 is the left part's, 1 and 2 are the right part's and its hole, 3 the bar's, 4 the patch's.
+// In wall(), ring 0 is the left part's, 1 and 2 are the right part's and its hole, 3 the bar's, 4 the patch's.
 void exchange_hole(Stages& s) { s.polygons = arranged(s.polygons, {0, 2, 1, 3, 4}, s.polygons.polygons); }
 
 void give_hole_to_left_part(Stages& s) {
@@ -257,7 +257,7 @@ void exchange_faces(Stages& s) {
   s.polygons = arranged(s.polygons, {0, 1, 2, 4, 3}, dealt);
 }
 
-// Between the bound of one evaluation in double and that of two.
+// The error is between the bound of one evaluation in double and that of two.
 void misstate_area(Stages& s) {
   RingMeasure measured;
   const ImagePoints points(s.scene, s.segments);
@@ -311,7 +311,7 @@ TEST_CASE("validate reports what is broken in visible polygons") {
   }
 }
 
-// Three points on a line, and a ring from the first to the last and back by the middle one.
+// Three points are on a line, and a ring goes from the first to the last and back by the middle one.
 TEST_CASE("validate finds a ring without area by exact arithmetic, and where it folds back") {
   Stages stages = fang();
   stages.scene.points = {{0, 6}, {1, 4}, {3, 0}};
@@ -343,7 +343,7 @@ TEST_CASE("what covers something twice is found by its winding numbers") {
     check_surface_layout(sides, stages.segments, ids, messages);
     return messages;
   };
-  // The right part of the wall with its hole; the bar and the patch side by side.
+  // The right part of the wall has its hole; the bar and the patch are side by side.
   CHECK(messages_for({1, 2}) == Messages{});
   CHECK(messages_for({3, 4}) == Messages{});
   // Without the hole the patch lies on the wall; the hole alone is all but visible.
@@ -357,14 +357,14 @@ TEST_CASE("what covers something twice is found by its winding numbers") {
                  "segment " + std::to_string(of_hole.value) + ": what is visible has the winding number 0 to its left");
 }
 
-// A mesh refined by hand: points on mesh edges, given by the positions of the edge's ends.
+// A mesh is refined by hand: points on mesh edges are given by the positions of the edge's ends.
 struct Split {
   VertexId a;
   VertexId b;
   Point3 position;
 };
 
-// The triangles of a facet with further points on its border: a fan around the first of these.
+// The triangles of a facet with further points on its border are a fan around the first of these.
 void add_facet(LabelledMesh& labelled, const CutMesh& mesh, FacetId facet, const std::vector<Split>& splits) {
   const auto corners = mesh.corners(facet);
   std::vector<VertexId> border;
@@ -397,7 +397,7 @@ LabelledMesh refined(const CutMesh& mesh, const std::vector<Split>& splits) {
   return labelled;
 }
 
-// A tetrahedron, and a face that is none.
+// There is a tetrahedron, and a face that is none.
 CutMesh tetrahedron() {
   return uncrossed(
       mesh_of({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 1, 1}}));
@@ -405,7 +405,7 @@ CutMesh tetrahedron() {
 const std::vector<Split> tetrahedron_splits{{VertexId(0), VertexId(1), {1, 0, 0}},
                                             {VertexId(1), VertexId(2), {2, 2, 0}}};
 
-// Seen from a side that shows no triangle edge-on.
+// The mesh is seen from a side that shows no triangle edge-on.
 Messages validated(const LabelledMesh& labelled, const AnyMesh& mesh) {
   const Camera camera = orthographic_camera("any", {{3, 5, 9}, {0, 0, 0}, {0, 1, 0}, 1, {}, {}}, 30);
   return validate(labelled, project(mesh, camera, Sides::both));
@@ -415,11 +415,11 @@ TEST_CASE("the checker of labelled meshes is silent on right values") {
   const CutMesh closed = tetrahedron();
   CHECK(validated(refined(closed, {}), closed) == Messages{});
   CHECK(validated(refined(closed, tetrahedron_splits), closed) == Messages{});
-  // Three faces on one edge, in no common orientation; the ends of the third are vertices of its own.
+  // Three faces are on one edge, in no common orientation; the ends of the third are vertices of its own.
   const AnyMesh fan = mesh_of({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}, {0, -4, 1}, {0, 0, 0}, {4, 0, 0}},
                               {{0, 1, 2}, {0, 1, 3}, {5, 6, 4}});
   CHECK(validated(refined(fan, {{VertexId(0), VertexId(1), {1, 0, 0}}}), fan) == Messages{});
-  // A face of two facets that is not planar, split on the edge between them.
+  // A face of two facets that is not planar is split on the edge between them.
   const AnyMesh warped = mesh_of({{0, 0, 0}, {4, 0, 0}, {4, 4, 2}, {0, 4, 0}}, {{0, 1, 2, 3}});
   REQUIRE(warped->facet_count() == 2);
   const auto inner =
@@ -427,7 +427,7 @@ TEST_CASE("the checker of labelled meshes is silent on right values") {
   REQUIRE(inner != warped->edges.end());
   const Point3 middle = 0.5 * (warped->position((*inner)[0]) + warped->position((*inner)[1]));
   CHECK(validated(refined(warped, {{(*inner)[0], (*inner)[1], middle}}), warped) == Messages{});
-  // Coordinates whose squares are beyond the range of double.
+  // The squares of the coordinates are beyond the range of double.
   for (const double scale : {0x1p-1000, 0x1p+1000}) {
     std::vector<Split> splits = tetrahedron_splits;
     for (Split& split : splits) split.position = scale * split.position;
@@ -439,12 +439,12 @@ TEST_CASE("the checker of labelled meshes is silent on right values") {
 }
 
 TEST_CASE("borders that touch themselves conform") {
-  // Two triangles of one face that share a corner: two ways lead on from there.
+  // Two triangles of one face share a corner: two ways lead on from there.
   const AnyMesh bow = mesh_of({{0, 0, 0}, {4, 0, 0}, {2, 2, 0}, {4, 4, 0}, {0, 4, 0}}, {{0, 1, 2, 3, 4, 2}});
   REQUIRE(bow->facet_count() == 2);
   CHECK(validated(refined(bow, {{VertexId(2), VertexId(3), {3, 3, 0}}, {VertexId(1), VertexId(2), {3, 1, 0}}}), bow) ==
         Messages{});
-  // A frame around a hole, with a slit from 0 to 6 that has one more corner, 8, on the way back.
+  // A frame goes around a hole, with a slit from 0 to 6 that has one more corner, 8, on the way back.
   const AnyMesh frame =
       mesh_of({{0, 0, 0}, {6, 0, 0}, {6, 6, 0}, {0, 6, 0}, {4, 2, 0}, {4, 4, 0}, {2, 2, 0}, {2, 4, 0}, {1, 1, 0}},
               {{0, 1, 2, 3, 0, 6, 7, 5, 4, 6, 8}});

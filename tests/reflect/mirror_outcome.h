@@ -1,4 +1,4 @@
-// A surface, panels and a camera above it, and what comes out: for tests by hand.
+// Tests by hand have a surface, panels and a camera above it, and what comes out.
 #pragma once
 
 #include <vector>
@@ -9,13 +9,13 @@
 
 namespace sightline::tests {
 
-// Looks straight down; at depth d it sees what is at most d to the left, right, back and front.
+// The camera looks straight down; at depth d it sees what is at most d to the left, right, back and front.
 [[nodiscard]] Camera looking_down(const Point3& eye);
 
 [[nodiscard]] Corners rectangle(double left, double right, double front, double back, double z);
 
-// The mirror of most tests: 16 x 16 in the plane z = 0, seen from (-2, 0, 4). A panel's point (x, y, 4) is mirrored in
-// ((x - 2) / 2, y / 2, 0).
+// The mirror of most tests is 16 x 16 in the plane z = 0, seen from (-2, 0, 4). A panel's point (x, y, 4) is mirrored
+// in ((x - 2) / 2, y / 2, 0).
 inline const Corners floor_mirror{{-8, -8, 0}, {8, -8, 0}, {8, 8, 0}, {-8, 8, 0}};
 inline const Corners overhead{{1, -1, 4}, {3, -1, 4}, {3, 1, 4}, {1, 1, 4}};  // is mirrored in [-1/2, 1/2]^2
 inline const Point3 mirror_eye{-2, 0, 4};
@@ -25,13 +25,14 @@ struct MirrorOutcome {
   std::vector<double> areas;  // per panel, on the surface
 };
 
-// Of the polygons that reflect a panel, in window units. The exact one is for small numbers of them.
+// These are the areas of the polygons that reflect a panel, in window units. The exact one is for small numbers of
+// them.
 [[nodiscard]] Rational exact_image_area(const View& view, std::size_t panel);
 [[nodiscard]] double image_area(const View& view, std::size_t panel);
 
 [[nodiscard]] double area(const LabelledMesh& labelled, const LabelledTriangle& triangle);
 
-// Checks what every view must hold.
+// This checks what every view must hold.
 [[nodiscard]] MirrorOutcome reflected(const AnyMesh& mesh, const std::vector<Panel>& panels, const Camera& camera,
                                       const ReflectionOptions& options = {}, const std::vector<Vector3>& normals = {});
 

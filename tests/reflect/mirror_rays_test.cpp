@@ -1,4 +1,4 @@
-// Exact reflections against a million rays per scene.
+// Exact reflections are held against a million rays per scene.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -20,7 +20,8 @@ struct MirrorScene {
   Camera camera;
 };
 
-// Ten triangles and a floor, among and above them two panels; corners are multiples of 1/16, so that they touch at times.
+// Ten triangles and a floor have two panels among and above them; corners are multiples of 1/16, so that they touch at
+// times.
 MirrorScene random_mirror_scene(std::uint64_t seed) {
   std::mt19937_64 random(seed);
   const auto between = [&](double low, double high) {
@@ -87,7 +88,7 @@ Tally compare(const MirrorScene& scene, const View& view, std::uint64_t rays, st
   return tally;
 }
 
-// Where the ray from the eye, mirrored at a triangle's middle, meets a panel's plane.
+// Returns where the ray from the eye, mirrored at a triangle's middle, meets a panel's plane.
 Point3 place_on_panel(const Point3& eye, const Point3& middle, const Vector3& normal, const Panel& panel) {
   const Vector3 direction = middle - eye;
   const Vector3 mirrored = direction - (2 * dot(direction, normal) / dot(normal, normal)) * normal;
@@ -95,7 +96,7 @@ Point3 place_on_panel(const Point3& eye, const Point3& middle, const Vector3& no
   return middle + (dot(panel.corners[0] - middle, of_panel) / dot(mirrored, of_panel)) * mirrored;
 }
 
-// A small square around a place, across the direction.
+// Returns a small square around a place, across the direction.
 Panel small_panel(const Point3& place, const Vector3& direction) {
   constexpr double half = 1.0 / 1024;
   const Vector3 beside =
@@ -114,7 +115,8 @@ Panel small_panel(const Point3& place, const Vector3& direction) {
   return {"eye", {corner, corner + along_u, corner + along_u + along_v, corner + along_v}, Emits::both};
 }
 
-// Whether a camera on the panel, looking at the middle of the triangle, sees there the place where the first eye was.
+// Returns whether a camera on the panel, looking at the middle of the triangle, sees there the place where the first
+// eye was.
 bool sees_back(const AnyMesh& mesh, const MirrorScene& scene, const LabelledMesh& labelled, const LabelledTriangle& t,
                std::size_t panel) {
   const auto corner = [&](std::size_t i) { return labelled.vertices[t.corners[i].index()]; };

@@ -1,4 +1,4 @@
-// Reflections in random scenes on a grid so small that everything touches: validators and laws.
+// Reflections are tested by validators and laws, in random scenes on a grid so small that everything touches.
 #include <doctest/doctest.h>
 
 #include <random>

@@ -1,4 +1,4 @@
-// Balls against rationals, and what they decide against the exact view in the mirror.
+// Balls are held against rationals, and what they decide against the exact view in the mirror.
 #include <doctest/doctest.h>
 
 #include <boost/multiprecision/cpp_int.hpp>
@@ -16,7 +16,7 @@ namespace {
 using lattice::Dice;
 using Rational = boost::multiprecision::cpp_rational;
 
-// Digits and exponents anywhere in a range, and often the same digits.
+// Digits and exponents are anywhere in a range, and the digits are often few.
 double random_number(Dice& dice, int lowest, int highest) {
   const double mantissa = dice.one_in(4) ? dice.between(-4, 4) : dice.between(-1'000'000'000, 1'000'000'000) * 0x1p-29;
   return std::ldexp(mantissa, dice.between(lowest, highest));
@@ -49,7 +49,7 @@ Point3 random_point(Dice& dice, double unit) {
   return {coordinate(), coordinate(), coordinate()};
 }
 
-// An eye in front of a mirror; the triangle often shares corners with it.
+// An eye is in front of a mirror; the triangle often shares corners with it.
 std::optional<Mirrored> random_mirrored(Dice& dice) {
   const double unit = dice.any_of(std::array{1.0, 3.0, 1e8});
   const ViewPoint view{{dice.between(-3, 3) * 1.0, dice.between(-3, 3) * 1.0, dice.between(3, 6) * 1.0},

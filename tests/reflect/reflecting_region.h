@@ -1,4 +1,4 @@
-// A panel's reflecting region in floating point.
+// This is a panel's reflecting region in floating point.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@ class ReflectingRegion {
  public:
   ReflectingRegion(const View& view, std::size_t panel);
 
-  // How often the border winds around the place; nothing where that is within `near` of it.
+  // Returns how often the border winds around the place; nothing where that is within `near` of it.
   [[nodiscard]] std::optional<int> winding(const Point2& place, double near = 1e-9) const;
 
  private:

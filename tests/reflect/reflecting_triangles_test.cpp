@@ -1,4 +1,4 @@
-// Koucky's test per triangle, and what it misses.
+// This tests Koucky's test per triangle, and what it misses.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -12,7 +12,7 @@ namespace {
 constexpr ReflectionOptions by_faces{ReflectionMode::triangles, MirrorNormals::face, 1e-3};
 constexpr ReflectionOptions by_vertices{ReflectionMode::triangles, MirrorNormals::vertex, 1e-3};
 
-// Triangles over [-8, 8]^2 at z = 0, two to a square with sides of 1/4 around the origin, where panels are mirrored.
+// Triangles cover [-8, 8]^2 at z = 0, two to a square with sides of 1/4 around the origin, where panels are mirrored.
 std::vector<Corners> tiled_floor() {
   std::vector<Corners> tiles{rectangle(-8, -1, -8, 8, 0), rectangle(1, 8, -8, 8, 0), rectangle(-1, 1, -8, -1, 0),
                              rectangle(-1, 1, 1, 8, 0)};
@@ -37,7 +37,7 @@ std::size_t marked(const View& view) {
       std::ranges::count_if(view.labelled.triangles, [](const LabelledTriangle& t) { return t.reflecting != 0; }));
 }
 
-// Overhead, a hair larger: is mirrored in a square with sides of 1, which has 16 tiles' squares inside.
+// The panel is overhead, a hair larger: it is mirrored in a square with sides of 1, which has 16 tiles' squares inside.
 const Corners above = rectangle(1 - 0x1p-10, 3 + 0x1p-10, -1 - 0x1p-10, 1 + 0x1p-10, 4);
 
 }  // namespace
@@ -46,7 +46,7 @@ TEST_CASE("triangles whose corners all mirror the panel reflect, and those that 
   for (const ReflectionOptions& options : {by_faces, by_vertices}) {
     CHECK(on_floor({}, {"above", above, Emits::both}, options).areas[0] == 1);
     CHECK(marked(on_floor({}, {"above", above, Emits::both}, options).view) == 32);
-    // Mirrored in [-3/8, 3/8]^2: four squares are inside, the others not wholly.
+    // It is mirrored in [-3/8, 3/8]^2: four squares are inside, the others not wholly.
     const Corners smaller = rectangle(1.25, 2.75, -0.75, 0.75, 4);
     CHECK(on_floor({}, {"smaller", smaller, Emits::both}, options).areas[0] == 0.25);
     CHECK(std::fabs(on_floor({}, {"smaller", smaller, Emits::both}, {}).areas[0] - 0.5625) < 1e-9);
@@ -70,7 +70,7 @@ TEST_CASE("a panel that is not convex") {
 }
 
 TEST_CASE("an obstacle with a vertex in the pyramid blocks the triangle") {
-  // A needle from far above down to (1, 0.1, 2), mirrored in (0, 0.1 * 2 / 3), in one triangle.
+  // A needle goes from far above down to (1, 0.1, 2), mirrored in (0, 0.1 * 2 / 3), in one triangle.
   const Corners needle{{1.0625, 0.125, 2}, {40, 0.125, 3}, {40, 0.25, 3}};
   const MirrorOutcome outcome = on_floor({needle}, {"above", above, Emits::both}, by_faces);
   CHECK(marked(outcome.view) < 32);
@@ -78,7 +78,7 @@ TEST_CASE("an obstacle with a vertex in the pyramid blocks the triangle") {
 }
 
 TEST_CASE("the published test misses an obstacle without a vertex in the pyramid, and the exact one does not") {
-  // A strip right across the panel's image, and beyond.
+  // A strip goes right across the panel's image, and beyond.
   const Corners strip = rectangle(0.625, 1.375, -6, 6, 2);
   const Panel panel{"above", above, Emits::both};
   CHECK(on_floor({strip}, panel, by_faces).areas[0] == 1);
@@ -94,7 +94,7 @@ TEST_CASE("obstacles behind the panel or behind the mirror block nothing") {
 }
 
 TEST_CASE("given vertex normals bend what faces leave flat") {
-  // One triangle; with its own normal it mirrors the panel, with normals to the side it does not.
+  // There is one triangle; with its own normal it mirrors the panel, with normals to the side it does not.
   const Mesh mesh = mesh_of({{{-0.25, -0.25, 0}, {0.25, -0.25, 0}, {0, 0.25, 0}}});
   const std::vector<Vector3> aside(3, Vector3{-0.5, 0, 1});
   const std::vector<Panel> panels{{"above", above, Emits::both}};
@@ -134,7 +134,7 @@ TEST_CASE("with one convex panel and nothing in the way, what is marked is part 
     const auto between = [&](double low, double high) {
       return std::round(256 * (low + (high - low) * std::ldexp(static_cast<double>(random() >> 11U), -53))) / 256;
     };
-    // Shallow enough that no face is seen before another, nor above another's plane where light comes from.
+    // The dome is so shallow that no face is seen before another, nor above another's plane where light comes from.
     const double dome = between(0, 0.05);
     std::vector<Corners> surface;
     for (Corners tile : tiled_floor()) {

@@ -1,4 +1,4 @@
-// What mirrors a panel into the camera, against areas found by hand.
+// What mirrors a panel into the camera is held against areas found by hand.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -70,44 +70,47 @@ TEST_CASE("a panel shines where its front is, or on both sides") {
 }
 
 TEST_CASE("of a panel that is half below the mirror's plane the upper half is mirrored") {
-  // Upright at x = 2, from z = -4 to 4: above the mirror it is mirrored in x from 0 (its top) to 2 (its foot).
+  // The panel is upright at x = 2, from z = -4 to 4: above the mirror it is mirrored in x from 0 (its top) to 2 (its
+  // foot).
   const Corners upright{{2, -1, -4}, {2, 1, -4}, {2, 1, 4}, {2, -1, 4}};
   const Outcome outcome = reflected({floor_mirror}, upright);
-  // A trapezoid: half as wide at x = 0 as at x = 2.
+  // It shows as a trapezoid: half as wide at x = 0 as at x = 2.
   CHECK(std::fabs(outcome.areas[0] - 2 * (1 + 2) / 2.0) < 1e-9);
   CHECK(std::fabs(outcome.image_areas[0].convert_to<double>() - 3.0 / 16) < 1e-11);
   CHECK(reflected({floor_mirror}, rectangle(1, 3, -1, 1, -4)).areas[0] == 0);
 }
 
 TEST_CASE("a tilted panel") {
-  // From (1, -1, 4) to (3, 1, 12): at height z a point (x, y) is mirrored in -2 + 4 (x + 2) / (z + 4), 4 y / (z + 4).
+  // The panel goes from (1, -1, 4) to (3, 1, 12): at height z a point (x, y) is mirrored in -2 + 4 (x + 2) / (z + 4), 4
+  // y / (z + 4).
   const Corners tilted{{1, -1, 4}, {1, 1, 4}, {3, 1, 12}, {3, -1, 12}};
   const Outcome outcome = reflected({floor_mirror}, tilted);
-  // Corners in (-1/2, -+1/2) and (-3/4, -+1/4).
+  // The corners are mirrored in (-1/2, -+1/2) and (-3/4, -+1/4).
   CHECK(std::fabs(outcome.areas[0] - 0.25 * (1 + 0.5) / 2) < 1e-11);
 }
 
 TEST_CASE("a square obstacle casts its shadow") {
   // At z = 2, seen from the mirror camera (-2, 0, -4), a point (x, y) is mirrored in -2 + (x + 2) 2 / 3, y 2 / 3.
   const auto with = [](const Corners& obstacle) { return reflected({floor_mirror, obstacle}, overhead); };
-  // Mirrored in [-1/4, 1/4]^2, but the obstacle itself is seen before the mirror: in x from -2 + 2 (x + 2), beyond.
+  // It is mirrored in [-1/4, 1/4]^2, but the obstacle itself is seen before the mirror: in x from -2 + 2 (x + 2),
+  // beyond.
   const Corners inside = rectangle(0.625, 1.375, -0.375, 0.375, 2);
   const Outcome outcome = with(inside);
   CHECK(std::fabs(outcome.areas[0] - 0.75) < 1e-11);
   CHECK(outcome.view.reflections.statistics.blocked == 1);
   REQUIRE(outcome.view.reflections.panels[0].polygons.polygons.size() == 1);
   CHECK(outcome.view.reflections.panels[0].polygons.polygons[0].ring_count == 2);
-  // Over the panel's edge: mirrored in [-1/4, 3/4] x [-1/4, 1/4].
+  // It is over the panel's edge: mirrored in [-1/4, 3/4] x [-1/4, 1/4].
   CHECK(std::fabs(with(rectangle(0.625, 2.125, -0.375, 0.375, 2)).areas[0] - (1 - 0.75 * 0.5)) < 1e-11);
-  // All of it.
+  // It hides all of it.
   CHECK(with(rectangle(0, 4, -4, 4, 2)).areas[0] == 0);
 }
 
 TEST_CASE("an obstacle without a vertex in the pyramid, which the source's test of vertices misses") {
-  // A strip right across: mirrored in [-1/4, 1/4] x [-4, 4].
+  // A strip goes right across: it is mirrored in [-1/4, 1/4] x [-4, 4].
   const Corners strip = rectangle(0.625, 1.375, -6, 6, 2);
   CHECK(std::fabs(reflected({floor_mirror, strip}, overhead).areas[0] - 0.5) < 1e-11);
-  // A triangle that holds all of the pyramid, and has no edge in it either.
+  // A triangle holds all of the pyramid, and has no edge in it either.
   const Corners all{{-90, -90, 2}, {90, -90, 2}, {0.5, 90, 2}};
   const Camera below_it = looking_down({-2, 0, 1});
   const Corners panel = rectangle(1, 3, -1, 1, 7);
@@ -124,8 +127,8 @@ TEST_CASE("obstacles behind the panel, behind the mirror, and in the mirror's pl
 }
 
 TEST_CASE("an obstacle that stands on the mirror hides what is behind it") {
-  // Upright at x = 1/4, from the mirror up to z = 1: what is mirrored beyond x = 1/4, up to where the ray clears its top,
-  // and what of the mirror the camera does not see behind it.
+  // The wall is upright at x = 1/4, from the mirror up to z = 1: it is in the way of rays that do not clear its top,
+  // and the camera does not see the mirror behind it.
   const Corners wall{{0.25, -4, 0}, {0.25, 4, 0}, {0.25, 4, 1}, {0.25, -4, 1}};
   const Outcome outcome = reflected({floor_mirror, wall}, overhead);
   // A ray from the mirror camera through (x, 0) has height 4 (0.25 - x) / (x + 2) at x = 1/4: below 1 for x > -1/5.
@@ -136,7 +139,8 @@ TEST_CASE("an obstacle that stands on the mirror hides what is behind it") {
 TEST_CASE("an obstacle that passes through the mirror or through the panel's plane counts with its part between them") {
   const Corners from_below{{0.25, -4, -3}, {0.25, 4, -3}, {0.25, 4, 1}, {0.25, -4, 1}};
   CHECK(std::fabs(reflected({floor_mirror, from_below}, overhead).areas[0] - 0.3) < 1e-9);
-  // Upright at x = 2, from z = 2 to beyond the panel: its part below the panel is mirrored in x from 0 to 2/3.
+  // The obstacle is upright at x = 2, from z = 2 to beyond the panel: its part below the panel is mirrored in x from 0
+  // to 2/3.
   const Corners through{{2, -4, 2}, {2, 4, 2}, {2, 4, 9}, {2, -4, 9}};
   CHECK(std::fabs(reflected({floor_mirror, through}, overhead).areas[0] - 0.5) < 1e-9);
 }
@@ -152,7 +156,7 @@ TEST_CASE("a camera in the mirror's plane sees nothing in it") {
 }
 
 TEST_CASE("a panel seen edge-on in the mirror has no area") {
-  // In a plane through the mirror camera (-2, 0, -4).
+  // The panel is in a plane through the mirror camera (-2, 0, -4).
   const Corners edge_on{{0, -1, 0.5}, {0, 1, 0.5}, {2, 2, 5}, {2, -2, 5}};
   CHECK(reflected({floor_mirror}, edge_on).areas[0] == 0);
 }
@@ -195,7 +199,7 @@ TEST_CASE("parallel rays") {
   const Outcome straight = reflected({floor_mirror}, {{"panel", overhead, Emits::both}}, camera);
   CHECK(straight.areas[0] == 4);
   CHECK(straight.image_areas[0] == Rational(1, 4));
-  // A mirror at 45 degrees, and a panel beside it: z from 1 to 2 is mirrored in x from -2 to -1.
+  // A mirror is at 45 degrees, and a panel beside it: z from 1 to 2 is mirrored in x from -2 to -1.
   const Corners slope{{-3, -3, 3}, {3, -3, -3}, {3, 3, -3}, {-3, 3, 3}};
   const Corners beside{{4, -1, 1}, {4, 1, 1}, {4, 1, 2}, {4, -1, 2}};
   const Outcome outcome = reflected({slope}, {{"panel", beside, Emits::both}}, camera);

@@ -1,4 +1,4 @@
-// Bent mirrors: against flat ones, a parabola, and rays.
+// Bent mirrors are held against flat ones, a parabola, and rays.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -22,7 +22,7 @@ double visible_image_area(const View& view) {
   return sum;
 }
 
-// A square of cells x cells times two triangles over [-half, half]^2.
+// The field has cells x cells squares of two triangles over [-half, half]^2.
 struct HeightField {
   Mesh mesh;
   std::vector<Vector3> normals;  // parallel to mesh.faces.corners
@@ -59,7 +59,7 @@ HeightField height_field(int cells, double half, Height height, Normal normal) {
   return field;
 }
 
-// The camera of a height field: parallel rays straight down on [-half, half]^2.
+// The camera of a height field has parallel rays straight down on [-half, half]^2.
 Camera straight_down(double half) {
   Camera camera = looking_down({0, 0, 4});
   camera.projection = Projection::orthographic;
@@ -76,7 +76,7 @@ struct BentScene {
   Camera camera;
 };
 
-// A bumpy mirror with normals that wander, under four triangles and two panels.
+// A bumpy mirror has normals that wander, under four triangles and two panels.
 BentScene random_bent_scene(std::mt19937_64& random) {
   const auto between = [&](double low, double high) {
     return std::round(256 * (low + (high - low) * std::ldexp(static_cast<double>(random() >> 11U), -53))) / 256;
@@ -183,12 +183,12 @@ TEST_CASE("normals that the file does not give are means, by area, of the faces 
       [](double /*x*/, double /*y*/) { return Vector3{}; });
   const std::vector<Panel> panels{{"focus", rectangle(-0.25, 0.25, -0.25, 0.25, 4), Emits::both}};
   const MirrorOutcome bent = reflected(field.mesh, panels, straight_down(2), smooth(1e-3));
-  // All but at the border, where the mean looks to one side only.
+  // It is all but the border, where the mean looks to one side only.
   CHECK(image_area(bent.view, 0) > 4 * 0.75);
 }
 
 TEST_CASE("a ray that does not rise from its face meets nothing") {
-  // Normals so far to the side that rays from above go down beyond the mirror, where a panel is.
+  // Normals lean so far to the side that rays from above go down beyond the mirror, where a panel is.
   const HeightField field = height_field(
       1, 2, [](double /*x*/, double /*y*/) { return 0.0; },
       [](double /*x*/, double /*y*/) {

@@ -1,4 +1,5 @@
-// Which of two faces is in front: by their planes, where they straddle these by what the eye sees, and ties by index.
+// This tests which of two faces is in front: by their planes, where they straddle these by what the eye sees, and ties
+// by index.
 #include "sweep/plain/depth_order.h"
 
 #include <cmath>
@@ -25,7 +26,7 @@ Camera at_origin(const Point3& target) {
 
 Corners square_at(double z) { return {{-1, -1, z}, {1, -1, z}, {1, 1, z}, {-1, 1, z}}; }
 
-// Where the ray from the origin meets the polygon, in multiples of the direction; 0 where it does not.
+// Returns where the ray from the origin meets the polygon, in multiples of the direction; 0 where it does not.
 double distance_along(const Vector3& direction, const Corners& polygon) {
   int left = 0;
   int right = 0;
@@ -56,7 +57,7 @@ TEST_CASE("depth: the nearer of parallel faces, whichever way they are asked; ti
 }
 
 TEST_CASE("depth: faces that straddle each other's planes without meeting have an order") {
-  // Two bars that cross in the image, one above the other, both tilted so that each plane cuts the other bar.
+  // Two bars cross in the image, one above the other, both tilted so that each plane cuts the other bar.
   const Mesh mesh =
       tests::mesh_of({{{-4, -0.5, 3}, {4, 0, -1}, {-4, 0.5, 3}}, {{-0.5, -4, -3}, {0.5, -4, -3}, {0, 4, 2}}});
   const ProjectedScene scene = project(mesh, from_above(16), Sides::both);
@@ -66,7 +67,7 @@ TEST_CASE("depth: faces that straddle each other's planes without meeting have a
 }
 
 TEST_CASE("depth: faces that straddle each other's planes and show no common place are ordered by index") {
-  // Side by side, sloping to the front and to the back.
+  // They are side by side, sloping to the front and to the back.
   const Corners left{{-3, -1, -1}, {-1, 0, 0}, {-3, 1, 1}};
   const Corners right{{3, -1, 1}, {1, 0, 0}, {3, 1, -1}};
   for (const bool left_first : {true, false}) {
@@ -103,9 +104,9 @@ TEST_CASE("depth: of large faces around the eye, as rays have it") {
   CHECK(compared > 50);
 }
 
-// The faces overlap in a triangle of the image, whose corners are three places that show the order. Elsewhere four lines
-// through the eye meet an edge of one face on one side of the eye and an edge of the other on the other side. These say
-// nothing of the order; taken for places where edges cross, they would outvote the three.
+// The faces overlap in a triangle of the image, whose corners are three places that show the order. Elsewhere four
+// lines through the eye meet an edge of one face on one side of the eye and an edge of the other on the other side.
+// These say nothing of the order; taken for places where edges cross, they would outvote the three.
 TEST_CASE("depth: of faces that reach around the eye, edges that cross behind it are no evidence") {
   const Corners quadrilateral{{-7, 1, -8}, {1, 8, -12}, {2, -2, 2}, {-7, -5, 0}};
   const Corners triangle{{2, 6, 0}, {9, 8, 14}, {2, -6, 0}};

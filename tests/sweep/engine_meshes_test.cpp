@@ -1,5 +1,5 @@
-// The fast engine gives what the sweep of everything gives, on every fixture and on every mesh of the optional folder of
-// models.
+// The fast engine gives what the sweep of everything gives, on every fixture and on every mesh of the optional folder
+// of models.
 #include <doctest/doctest.h>
 
 #include <filesystem>

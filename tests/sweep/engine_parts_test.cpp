@@ -1,4 +1,4 @@
-// The parts of the fast engine, each by itself.
+// The parts of the fast engine are tested, each by itself.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ constexpr unsigned seed = 20261126;
 
 using Faces = std::vector<std::vector<std::uint32_t>>;
 
-// Square sheets of cells x cells squares, each two triangles, parallel to the image: at these depths, with these half
+// The sheets are cells x cells squares, each two triangles, parallel to the image: at these depths, with these half
 // widths.
 struct Sheet {
   double depth = 0;
@@ -67,7 +67,7 @@ ProjectedScene seen_from_above(const AnyMesh& mesh, int grid_bits = default_grid
   return project(mesh, orthographic_camera("above", view, 2), Sides::both, {Arithmetic::exact, grid_bits});
 }
 
-// What the fast engine finds before it sweeps, in 32 x 32 cells.
+// This is what the fast engine finds before it sweeps, in 32 x 32 cells.
 struct Found {
   Continuation continuation;
   CellGrid grid;
@@ -190,7 +190,7 @@ TEST_CASE("large covers: what lies behind one large facet is hidden, what looks 
         {hidden.begin() + static_cast<std::ptrdiff_t>(begin), hidden.begin() + static_cast<std::ptrdiff_t>(end)});
   };
   CHECK(of_sheet(0, 2) == 0);
-  // Two in each of eight squares, and two more at each corner of these that is inside the sheet.
+  // Two are left in each of eight squares, and two more at each corner of these that is inside the sheet.
   CHECK(of_sheet(2, 130) == 128 - 16 - 14);
   CHECK(of_sheet(130, 258) < 128);
   CHECK(of_sheet(130, 258) > 0);

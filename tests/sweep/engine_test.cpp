@@ -1,5 +1,5 @@
-// The fast engine gives what the sweep of everything gives, to the last bit, however fine its cells and however many its
-// bands are.
+// The fast engine gives what the sweep of everything gives, to the last bit, however fine its cells and however many
+// its bands are.
 #include <doctest/doctest.h>
 
 #include <array>
@@ -48,7 +48,7 @@ void check_random_scenes(RandomScene (*scene_of)(std::uint64_t), std::uint64_t s
   }
 }
 
-// 20 units of it, around a place.
+// The camera sees 20 units of it, around a place.
 ProjectedScene seen_from_above(const Mesh& mesh, double x, double y) {
   ViewPoint view;
   view.eye = {x, y, 9};
@@ -84,7 +84,8 @@ TEST_CASE("engines: random surfaces") {
   CHECK(5 * tally.swept < 4 * tally.points);
 }
 
-// A band across two walls is cut along common lines; one of its pieces is hidden, and what is seen of another ends on its edge.
+// A band across two walls is cut along common lines; one of its pieces is hidden, and what is seen of another ends on
+// its edge.
 TEST_CASE("engines: an edge is split for a hidden piece of a face, too") {
   const CutMesh mesh = cut(tests::mesh_of({{{0, 5, -1}, {-2, 5, -3}, {-3, 3, 6}},
                                            {{4, 3, 16}, {20, 3, -4}, {-6, 6, -14}, {-22, 6, 6}},
@@ -102,7 +103,8 @@ TEST_CASE("engines: an edge is split for a hidden piece of a face, too") {
   }
 }
 
-// A hook whose long end is hidden: first by a face that the end that is seen comes near, then by one that it does not.
+// A hook has a long end that is hidden: first by a face that the end that is seen comes near, then by one that it does
+// not.
 TEST_CASE("engines: a face whose hidden end is covered far from the end that is seen") {
   const Mesh mesh = tests::mesh_of({{{-6, -3, 0},
                                      {0.5, -3.2, 0},
@@ -153,7 +155,7 @@ TEST_CASE("engines: faces that pass through each other, not cut along their comm
   CHECK(4 * tally.swept < 3 * tally.points);
 }
 
-// A sheet of squares in waves, over another one. Where it hides itself and at its border facets are open, else plain.
+// A sheet of squares in waves is over another one. Where it hides itself and at its border facets are open, else plain.
 TEST_CASE("engines: more points than a thread takes in a row") {
   constexpr int squares = 100;
   std::vector<tests::Corners> faces;

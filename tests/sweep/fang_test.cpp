@@ -1,4 +1,5 @@
-// Fang's worked example (1993, section 5.3, tables 5.2 to 5.4) at every stage: pentagon ABCDE before triangle OPQ.
+// Fang's worked example (1993, section 5.3, tables 5.2 to 5.4) is tested at every stage: pentagon ABCDE before triangle
+// OPQ.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -15,7 +16,7 @@ namespace {
 
 using lattice::Rational;
 
-// A point of the example, in the drawing's units.
+// This is a point of the example, in the drawing's units.
 struct Named {
   char name;
   Rational x;
@@ -86,7 +87,7 @@ Rational rational(const Integer& value) {
   return Rational(value.template convert_to<boost::multiprecision::cpp_int>());
 }
 
-// Grid units per unit of the drawing.
+// Returns grid units per unit of the drawing.
 Rational grid_unit(const ProjectedScene& scene) {
   return Rational(boost::multiprecision::cpp_int(1) << static_cast<unsigned>(scene.grid_bits)) / 16;
 }
@@ -104,7 +105,7 @@ std::string name_of(const View& view, const VisibleSegment& s) {
   return {name_of(view, s.start), name_of(view, s.end)};
 }
 
-// A ring by the names of its points, from the one that the name begins with.
+// Returns a ring by the names of its points, from the one that the name begins with.
 std::string name_of_ring(const View& view, std::size_t ring, char first) {
   std::string result;
   for (const SegmentId s : view.polygons.ring(ring)) result += name_of(view, view.segments.segments[s.index()].start);

@@ -1,5 +1,5 @@
-// Laws that hold on every scene, whatever is in it: order and handedness change nothing, and the refined surface is the
-// surface.
+// These laws hold on every scene, whatever is in it: order and handedness change nothing, and the refined surface is
+// the surface.
 #include <doctest/doctest.h>
 
 #include "oracle/judging/labelled_laws.h"
@@ -34,7 +34,7 @@ void check_on_random_scenes(Law law) {
   }
 }
 
-// Everything up to the polygons.
+// The view has everything up to the polygons.
 View view_of(const AnyMesh& mesh, const Camera& camera, Sides sides) {
   View view;
   view.scene = project(mesh, camera, sides);
@@ -102,8 +102,8 @@ TEST_CASE("law: the labelled surface keeps vertices and areas") {
 }
 
 TEST_CASE("law: what is labelled as seen covers what the visible polygons cover") {
-  // Corners are doubles: off by 2^-48 for coordinates below 2^5, a few times that in the image where nothing is nearer
-  // than 1/8 to the eye's plane; the outlines of a dozen pieces are shorter than 2^8.
+  // Corners are doubles. They are off by 2^-48 for coordinates below 2^5, a few times that in the image where nothing
+  // is nearer than 1/8 to the eye's plane; the outlines of a dozen pieces are shorter than 2^8.
   constexpr double tolerance = 0x1p-32;
   check_on_random_scenes([&](const RandomScene& scene, const AnyMesh& mesh) {
     return seen_areas_agree(analyzed(mesh, scene.camera, scene.sides), tolerance);

@@ -1,4 +1,5 @@
-// Every mesh of the optional folder of models, from three cameras: the stages' checkers, the laws, and ray casting.
+// Every mesh of the optional folder of models is seen from three cameras, and goes through the stages' checkers, the
+// laws, and ray casting.
 #include <doctest/doctest.h>
 
 #include "formats/reading/obj_reader.h"
@@ -24,14 +25,14 @@ FacetId before_cut(const CutMesh& mesh, FacetId f) {
   return mesh.is_cut() ? FacetId(mesh.cuts.whole_of[f.index()].index()) : f;
 }
 
-// What the polygons show at a ray, as a face; nothing where they show nothing.
+// Returns what the polygons show at a ray, as a face; nothing where they show nothing.
 std::vector<FaceId> shown(const View& view, const std::vector<std::size_t>& polygons) {
   std::vector<FaceId> faces;
   for (const std::size_t p : polygons) faces.push_back(view.polygons.polygons[p].face);
   return faces;
 }
 
-// whole: the mesh before it was cut to what was viewed.
+// `whole` is the mesh before it was cut to what was viewed.
 RayTally compare_rays(const Mesh& whole, const View& view) {
   const CutMesh& mesh = view.scene.mesh();
   const auto rays = fixed_rays(view.scene.grid_bits, 1000);
@@ -57,7 +58,7 @@ RayTally compare_rays(const Mesh& whole, const View& view) {
   return tally;
 }
 
-// The first few, in one text.
+// Returns the first few, in one text.
 std::string some(Complaints complaints) {
   if (complaints.size() > 10) complaints.resize(10);
   return joined(complaints);
@@ -93,7 +94,7 @@ TEST_CASE("models: stages, laws and ray casting from three cameras") {
   }
 }
 
-// The outcome with the faces in another order, put back into the old one.
+// Returns the outcome with the faces in another order, put back into the old one.
 Outcome shuffled_outcome(const PolygonMesh& mesh, const Shot& shot, Dice& dice) {
   const Shuffled shuffled = with_faces_shuffled(mesh, dice);
   const Outcome after = outcome(analyzed(shuffled.mesh, shot.camera, shot.sides));
@@ -112,8 +113,8 @@ TEST_CASE("models: two runs, order and handedness change nothing") {
     INFO(file.filename().string(), " seed ", seed);
     const View view = analyzed(mesh, shot.camera, shot.sides);
     CHECK(identical(view, analyzed(mesh, shot.camera, shot.sides)));
-    // Of faces that overlap in one plane the lower index is in front. Where a facet is cut beyond a common line depends on
-    // the coordinates, so mirroring changes roundings.
+    // Where faces overlap in one plane the lower index is in front. Where a facet is cut beyond a common line depends
+    // on the coordinates, so mirroring changes roundings.
     const MeshContacts contacts = find_contacts(whole);
     if (!contacts.crossing.empty()) continue;
     const Outcome before = outcome(view);

@@ -1,4 +1,4 @@
-// sightline against the oracle on random scenes: exact visible area per face.
+// sightline is held against the oracle on random scenes: exact visible area per face.
 #include <doctest/doctest.h>
 
 #include "oracle/judging/judge.h"

@@ -1,5 +1,5 @@
-// The order of two pieces neither of which lies on one side of the other's plane: what the eye sees of one within the
-// other has to decide.
+// Two pieces may neither lie on one side of the other's plane: then what the eye sees of one within the other has to
+// decide their order.
 #include "sweep/plain/piece_order.h"
 
 #include <doctest/doctest.h>
@@ -13,16 +13,16 @@
 namespace sightline::tests::piece_order_test {
 namespace {
 
-// Two triangles that pass through each other along the x axis, the rising one for -1.5 < x < 1.5 within the falling one.
+// Two triangles pass through each other along the x axis, the rising one for -1.5 < x < 1.5 within the falling one.
 // Seen from high z both are counter-clockwise; at their tips, one far above the other, they overlap.
 const Corners rising{{-4, -2, -1}, {2, -2, -1}, {0, 6, 3}};
 const Corners falling{{4, -2, 1}, {0, 6, -3}, {-2, -2, 1}};
 
-// Small triangles in upright planes, each of which cuts one of the above before the other one does. So that one keeps a
-// piece on both sides of the x axis, left of x = y - 2 and right of x = 2 - y.
+// Small triangles are in upright planes, each of which cuts one of the above before the other one does. So that one
+// keeps a piece on both sides of the x axis, left of x = y - 2 and right of x = 2 - y.
 const std::vector<Corners> leaning_cutters{{{-3.5, -1.5, -1}, {-2.5, -0.5, -1}, {-3, -1, 1}},
                                            {{3.5, -1.5, 1}, {2.5, -0.5, 1}, {3, -1, -1}}};
-// Left of x = -2 and right of x = 2.
+// These are left of x = -2 and right of x = 2.
 const std::vector<Corners> upright_cutters{{{-2, -1.25, -1}, {-2, -0.75, -1}, {-2, -1, 1}},
                                            {{2, -1.25, 1}, {2, -0.75, 1}, {2, -1, -1}}};
 
@@ -36,7 +36,7 @@ bool has_corner_at(const CutMesh& mesh, FacetId f, const Point3& p) {
   return std::ranges::any_of(mesh.corners(f), [&](VertexId v) { return mesh.position(v) == p; });
 }
 
-// The piece with this corner; both of the planes part space at y = 0, and it must be on either side.
+// Returns the piece with this corner; both of the planes part space at y = 0, and it must be on either side.
 FacetId straddling_piece_at(const CutMesh& mesh, const Point3& p) {
   for (std::size_t f = 0; f < mesh.facet_count(); ++f) {
     if (!has_corner_at(mesh, FacetId(f), p)) continue;

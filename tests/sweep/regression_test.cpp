@@ -1,5 +1,5 @@
-// Scenes that once went wrong, each reduced and named by its shape; and scenes whose faces interpenetrate, where depth
-// is no order: the answer may be either face, but the structure must hold.
+// These scenes once went wrong, and each is reduced and named by its shape; in others faces interpenetrate, where depth
+// is no order: there the answer may be either face, but the structure must hold.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -94,7 +94,7 @@ TEST_CASE("two planar faces overlap in one plane: the lower index is in front, w
 }
 
 TEST_CASE("a hole in a hole, each with a face in it, is threaded to the right ring") {
-  // Squares of falling size, each nearer, so that every one but the last shows as a frame.
+  // The squares have falling size, each nearer, so that every one but the last shows as a frame.
   RandomScene scene;
   scene.camera = camera_of(Projection::orthographic, {0.125, 0, 0}, {0, 0.125, 0}, {0, 0, -1}, {0, 0, 9});
   for (int k = 0; k < 6; ++k) {
@@ -118,7 +118,7 @@ TEST_CASE("many holes in one face, some touching: each belongs to it, and the ar
   scene.faces = {{0, 1, 2, 3}};
   for (int row = -3; row <= 3; ++row) {
     for (int column = -3; column <= 3; ++column) {
-      // Diamonds that touch their neighbours in a row at the tips.
+      // The diamonds touch their neighbours in a row at the tips.
       const double x = 4 * column;
       const double y = 4 * row;
       const auto first = static_cast<std::uint32_t>(scene.vertices.size());

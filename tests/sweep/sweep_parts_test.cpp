@@ -1,4 +1,4 @@
-// The parts of the sweep by themselves: crossing points, the active edge list, node lists.
+// The parts of the sweep are tested by themselves: crossing points, the active edge list, node lists.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -38,7 +38,7 @@ ImagePoint random_point(std::mt19937& random, std::int64_t size) {
   return {coordinate(random), coordinate(random)};
 }
 
-// Two edges that cross, end by end.
+// Returns two edges that cross, end by end.
 std::array<ImagePoint, 4> crossing_edges(std::mt19937& random, std::int64_t size) {
   while (true) {
     const ImagePoint a = random_point(random, size);
@@ -56,7 +56,7 @@ CrossingPoint random_crossing(std::mt19937& random, std::int64_t size) {
   return crossing_point(a, b, c, d);
 }
 
-// Parallel squares facing +z, the higher face in front of the lower for an eye far up z.
+// Returns parallel squares facing +z, the higher face in front of the lower for an eye far up z.
 Mesh stack(const std::vector<double>& heights) {
   std::vector<Point3> vertices;
   PolygonList faces;
@@ -155,7 +155,7 @@ TEST_CASE("the active edge list against a plain list: order, search, nearest vis
 }
 
 TEST_CASE("a crossing counts once, however often its edges become neighbours") {
-  // Two bars that cross, and between their upper ends a small triangle that parts their edges for a while.
+  // Two bars cross, and between their upper ends a small triangle parts their edges for a while.
   const std::vector<tests::Corners> bars{{{-6, 6, 0}, {-4, 6, 0}, {5, -6, 0}}, {{6, 6, 1}, {4, 6, 1}, {-5, -6, 1}}};
   std::vector<tests::Corners> parted = bars;
   parted.push_back({{-0.5, 5, 2}, {0.5, 5, 2}, {0, 4.5, 2}});

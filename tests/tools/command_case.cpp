@@ -29,7 +29,8 @@ std::string as_option(const char* option, const Vector3& v) {
   return text;
 }
 
-// From a corner of the room at the middle of the bounding box; any camera for a file that is no mesh.
+// The camera looks from a corner of the room at the middle of the bounding box; any camera does for a file that is no
+// mesh.
 std::vector<std::string> camera_options(const fs::path& file) {
   Box box{{-1, -1, -1}, {1, 1, 1}};
   try {

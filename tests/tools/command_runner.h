@@ -1,4 +1,4 @@
-// Running the built command, and folders that go away afterwards.
+// This runs the built command, and has folders that go away afterwards.
 #pragma once
 
 #include <filesystem>

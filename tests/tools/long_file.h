@@ -1,4 +1,4 @@
-// Files larger than a disk should hold: a named pipe that another process writes to.
+// Files may be larger than a disk should hold: a named pipe that another process writes to.
 #pragma once
 
 #include <sys/types.h>
@@ -9,7 +9,7 @@
 
 namespace sightline::tests {
 
-// What is written: `first`, then `repeated` until so many bytes of it are written, then `last`.
+// The text is `first`, then `repeated` until so many bytes of it are written, then `last`.
 struct LongText {
   std::string first;
   std::string repeated;

@@ -1,4 +1,4 @@
-// The meshes of the optional folder of models, and the views of them that tests take.
+// The meshes of the optional folder of models are found here, with the views of them that tests take.
 #pragma once
 
 #include <filesystem>
@@ -12,7 +12,7 @@ namespace sightline::tests {
 
 [[nodiscard]] std::filesystem::path models_folder();
 
-// In the order of their names; none where there is no such folder.
+// The models are in the order of their names; there are none where there is no such folder.
 [[nodiscard]] std::vector<std::filesystem::path> models();
 
 struct Shot {
@@ -20,8 +20,8 @@ struct Shot {
   Sides sides = Sides::both;
 };
 
-// All of it from the front; from within its box, with much behind the eye and across the window's border; along a
-// diagonal.
+// One sees all of it from the front, one from within its box, with much behind the eye and across the window's border,
+// and one along a diagonal.
 [[nodiscard]] std::vector<Shot> shots(const Mesh& mesh);
 
 }  // namespace sightline::tests

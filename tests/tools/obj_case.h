@@ -1,4 +1,4 @@
-// One OBJ file of a test folder, and what reading it must give.
+// This is one OBJ file of a test folder, with what reading it must give.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -78,7 +78,7 @@ inline void check_read(const ObjCase& c, const ObjFile& read) {
   if (c.defects.empty() && c.warning.empty() && c.facets != 0) CHECK(read.warnings.empty());
 }
 
-// The path of the file, its line and the cause, in one line.
+// The message has the path of the file, its line and the cause, in one line.
 inline void check_error(const ObjCase& c, const std::string& path, const InputError& error) {
   const std::string message = error.what();
   INFO("error: " << message);
@@ -105,7 +105,7 @@ inline void check_cases(const std::filesystem::path& folder, const std::vector<O
   for (const ObjCase& c : cases) check_case(folder, c);
 }
 
-// Without folders, hidden files and notes.
+// Folders, hidden files and notes are left out.
 inline std::vector<std::string> files_in(const std::filesystem::path& folder) {
   std::vector<std::string> files;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
@@ -125,7 +125,7 @@ inline std::vector<std::string> files_of(const std::vector<std::vector<ObjCase>>
   return files;
 }
 
-// The optional folder of public meshes; empty if it is not there.
+// Returns the optional folder of public meshes; empty if it is not there.
 inline std::filesystem::path shared_folder(const std::string& name) {
   const char* const set = std::getenv("SIGHTLINE_SHARED");
   const std::filesystem::path folder = std::filesystem::path(set != nullptr ? set : SIGHTLINE_SHARED_DIR) / name;

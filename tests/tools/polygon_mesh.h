@@ -1,4 +1,4 @@
-// A mesh from polygons by places: one vertex per corner, in order.
+// A mesh is made from polygons by places: it has one vertex per corner, in order.
 #pragma once
 
 #include <vector>

@@ -20,8 +20,9 @@ struct RandomSurfaces {
 
 [[nodiscard]] RandomSurfaces random_surfaces(std::uint64_t seed);
 
-// As many sheets of triangles, waved and a little apart, whose vertices lie within a few hundredths of a unit of each other in the
-// image: on a coarse grid their edges fall on each other, cross and turn over, and facets overlap there that do not overlap.
+// There are as many sheets of triangles, waved and a little apart, whose vertices lie within a few hundredths of a unit
+// of each other in the image: on a coarse grid their edges fall on each other, cross and turn over, and facets
+// overlap there that do not overlap.
 [[nodiscard]] RandomSurfaces crowded_surfaces(std::uint64_t seed);
 
 }  // namespace sightline::tests

@@ -1,4 +1,4 @@
-// The built command as a process of its own: to be sent signals, held to limits, and measured.
+// The built command is a process of its own, to be sent signals, held to limits, and measured.
 #pragma once
 
 #include <sys/resource.h>

@@ -1,5 +1,5 @@
-// The sweep written down step by step: Fang's tables row by row, the golden log, what holds in every log, and the built-in
-// scenes, which have the degeneracies that they are called by.
+// The sweep is written down step by step. This tests Fang's tables row by row, the golden log, what holds in every log,
+// and the built-in scenes, which have the degeneracies that they are called by.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -36,7 +36,7 @@ std::string face_of(const SweepLog& log, FacetId surface) {
   return log.face_names[log.face_of[surface.index()].index()];
 }
 
-// "o f d'" and "1 2 5 8" of a face after so many steps.
+// Returns "o f d'" and "1 2 5 8" of a face after so many steps.
 std::string vertices_until(const SweepLog& log, std::size_t steps, const std::string& face) {
   std::string text;
   for (std::size_t i = 0; i < steps; ++i) {

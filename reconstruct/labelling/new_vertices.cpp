@@ -1,4 +1,4 @@
-#include "reconstruct/labelling/surface_vertices.h"
+#include "reconstruct/labelling/new_vertices.h"
 
 #include "geometry/mesh/facet_plane.h"
 #include "geometry/numbers/errors.h"

@@ -1,10 +1,10 @@
 // Rectangles of whole pixels, and how polygons lie to them.
 //
-// In:  a rectangle; a polygon. Out: the rectangle's four parts; whether the polygon is disjoint from it, encloses it, or
-//      intersects it, which includes lying in it.
+// In:  a rectangle; a polygon. Out: the rectangle's four parts; whether the polygon is disjoint from it, encloses it,
+//      or intersects it, which includes lying in it.
 // Holds: touching is not overlapping. A polygon that encloses a rectangle covers all its pixels' centres, one that is
-//      disjoint from it none of them. (The rectangle's borders are rounded in double where the resolution is no power of
-//      two; the centres lie half a pixel inside.)
+//      disjoint from it none of them. (The rectangle's borders are rounded in double where the resolution is no power
+//      of two; the centres lie half a pixel inside.)
 // Complexity: O(k) for k corners. Errors: none.
 // Source: slides 001, "Overlap and Containment" (1) to (3): bounding box, edge intersection, containment.
 #pragma once
@@ -24,10 +24,10 @@ struct Rectangle {
   [[nodiscard]] bool is_pixel() const { return columns.size() == 1 && rows.size() == 1; }
 };
 
-// Left upper, right upper, left lower, right lower; empty ones where a side has one pixel.
+// Returns the left upper, right upper, left lower and right lower part; they are empty where a side has one pixel.
 [[nodiscard]] std::array<Rectangle, 4> parts_of(const Rectangle& r);
 
-// The corners in the window: counter-clockwise from the left lower one.
+// These are the corners in the window, counter-clockwise from the left lower one.
 using Vertices = std::array<Point2, 4>;
 [[nodiscard]] Vertices vertices_of(const Rectangle& r, int resolution);
 

@@ -1,4 +1,4 @@
-#include "peers/errors/image_rectangle.h"
+#include "peers/pixels/image_rectangle.h"
 
 #include <algorithm>
 
