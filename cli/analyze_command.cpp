@@ -8,7 +8,7 @@
 
 #include "cli/analyze/view_analysis.h"
 #include "cli/pages/report_page.h"
-#include "cli/results/report.h"
+#include "cli/results/report_json.h"
 #include "cli/results/summary.h"
 #include "cli/results/view_files.h"
 #include "cli/scene/scene_file.h"
@@ -90,7 +90,8 @@ Coverage published_coverage(const Scene& scene, const Mesh& mesh, const std::vec
 // coverage: of what is in the folder of the results, if there is one.
 std::string standard_output(const std::vector<Report>& reports, const std::optional<Coverage>& coverage,
                             const AnalyzeOptions& options) {
-  if (options.json) return report_text(reports.size() == 1 ? reports.front() : Report(reports));
+  if (options.json)
+    return reports.size() == 1 ? report_text(reports.front()) : json_text(list_json(reports, report_json));
   return options.quiet ? "" : summary(reports, coverage.value(), *options.output, options.report_page);
 }
 

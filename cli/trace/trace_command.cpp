@@ -85,11 +85,6 @@ std::vector<trace::SweepLog> logs_of(const Traced& traced, const Precision& prec
   return logs;
 }
 
-// Names that are not UTF-8 are mended, as everywhere.
-std::string text_of(const nlohmann::ordered_json& json) {
-  return json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
-}
-
 // It appears at once (result_folders.h), in a folder that is there.
 void write_file(const std::string& path, std::string_view content) {
   const std::filesystem::path place = std::filesystem::absolute(path);
@@ -120,7 +115,7 @@ std::string trace_command(const TraceOptions& options) {
   const Traced traced = options.example ? of_example(*options.example) : of_scene_file(options);
   const std::vector<trace::SweepLog> logs = logs_of(traced, options.precision.value_or(traced.precision));
   const std::string json =
-      text_of(sweep_logs_json({traced.title, traced.what, traced.camera.name, traced.camera.aspect}, logs));
+      json_text(sweep_logs_json({traced.title, traced.what, traced.camera.name, traced.camera.aspect}, logs), 1);
   if (options.log) write_file(*options.log, json);
   if (options.output) write_file(*options.output, page_with_data(PageName::trace, packed(json)));
   return summary_of(logs, options);
