@@ -11,6 +11,7 @@
 #include "cli/results/report_json.h"
 #include "cli/results/summary.h"
 #include "cli/results/view_files.h"
+#include "cli/scene/result_names.h"
 #include "cli/scene/scene_file.h"
 #include "cli/system/memory_limit.h"
 #include "cli/system/resources.h"
@@ -25,8 +26,8 @@ namespace {
 // Of a thread; all count against the limit of memory.
 constexpr std::size_t stack_bytes = std::size_t{1} << 20;
 
-Scene scene_of(const AnalyzeOptions& options) {
-  Scene scene = read_scene(options.input, options.camera);
+SceneDescription scene_of(const AnalyzeOptions& options) {
+  SceneDescription scene = read_scene(options.input, options.camera);
   scene.sides = options.sides.value_or(scene.sides);
   return scene;
 }
@@ -54,7 +55,8 @@ struct Output {
 };
 
 // The report comes last: it says how long writing the others took.
-Report written_report(const Scene& scene, const MeshInput& input, const ViewAnalysis& analysis, Output& output) {
+Report written_report(const SceneDescription& scene, const MeshInput& input, const ViewAnalysis& analysis,
+                      Output& output) {
   const Stopwatch watch;
   const View& view = analysis.view;
   const std::vector<FaceMeasures> faces = measure_faces(input.mesh, view);
@@ -67,8 +69,8 @@ Report written_report(const Scene& scene, const MeshInput& input, const ViewAnal
 }
 
 // output: null where no files are wanted.
-Report camera_report(const Scene& scene, const MeshInput& input, const MirrorWorld& world, const Camera& camera,
-                     const AnalyzeOptions& options, Output* output, Progress& progress) {
+Report camera_report(const SceneDescription& scene, const MeshInput& input, const MirrorWorld& world,
+                     const Camera& camera, const AnalyzeOptions& options, Output* output, Progress& progress) {
   const ViewAnalysis analysis =
       analyze_view(input, world, camera, {scene.sides, options.precision, options.engine}, progress);
   if (output == nullptr) return make_report(scene, input, analysis, measure_faces(input.mesh, analysis.view), 0);
@@ -77,8 +79,8 @@ Report camera_report(const Scene& scene, const MeshInput& input, const MirrorWor
   return written_report(scene, input, analysis, *output);
 }
 
-Coverage published_coverage(const Scene& scene, const Mesh& mesh, const std::vector<Report>& reports, Output& output,
-                            Progress& progress) {
+Coverage published_coverage(const SceneDescription& scene, const Mesh& mesh, const std::vector<Report>& reports,
+                            Output& output, Progress& progress) {
   progress.stage("what the cameras cover together");
   Coverage coverage = cover(mesh, output.seen, scene.panels.size());
   output.results.write_beside(coverage_file, coverage_table(coverage, names_of(scene.cameras), names_of(scene.panels)));
@@ -97,7 +99,7 @@ std::string standard_output(const std::vector<Report>& reports, const std::optio
 
 std::string analyzed(const AnalyzeOptions& options) {
   Progress progress(!options.quiet && Progress::watched());
-  const Scene scene = scene_of(options);
+  const SceneDescription scene = scene_of(options);
   const bool needs_normals = !scene.panels.empty() && scene.reflection.needs_vertex_normals();
   const MeshInput input =
       read_mesh(scene.mesh_file, needs_normals ? Normals::read : Normals::passed_over, options.max_memory, progress);

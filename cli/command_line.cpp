@@ -8,12 +8,12 @@
 
 #include "cli/camera_options.h"
 #include "cli/compare_options.h"
-#include "cli/trace_options.h"
 #include "cli/completion.h"
 #include "cli/options/option_values.h"
+#include "cli/scene/extreme_families.h"
 #include "cli/scene/scene_file.h"
-#include "cli/stability/stability_families.h"
 #include "cli/system/memory_limit.h"
+#include "cli/trace_options.h"
 
 namespace sightline::cli {
 
@@ -78,13 +78,13 @@ AnalyzeOptions options_of(const AnalyzeTexts& texts) {
 }
 
 StabilityOptions options_of(const StabilityTexts& texts) {
-  const auto& all = stability_families();
-  const auto has_name = [&](const StabilityFamily& family) { return family.name == texts.family; };
+  const auto& all = extreme_families();
+  const auto has_name = [&](const ExtremeFamily& family) { return family.name == texts.family; };
   StabilityOptions options{texts.output, std::nullopt, texts.quiet};
   if (texts.family.empty()) return options;
   if (std::none_of(all.begin(), all.end(), has_name)) {
     std::string names;
-    for (const StabilityFamily& family : all) names += (names.empty() ? "" : ", ") + family.name;
+    for (const ExtremeFamily& family : all) names += (names.empty() ? "" : ", ") + family.name;
     throw CommandLineError(fmt::format("--family: there is no '{}'; there are {}", texts.family, names));
   }
   options.family = texts.family;

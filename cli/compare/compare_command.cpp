@@ -27,7 +27,7 @@ struct Ground {
   peers::ExactParts exact;
 };
 
-Ground ground_of(const Scene& scene, const Camera& camera, Progress& progress) {
+Ground ground_of(const SceneDescription& scene, const Camera& camera, Progress& progress) {
   Ground ground{read_mesh(scene.mesh_file, Normals::passed_over, default_memory_limit(), progress), {}, {}};
   const Mesh& mesh = ground.input.mesh;
   progress.stage(camera.name + ": what is exactly visible");
@@ -56,7 +56,7 @@ std::vector<CompareRun> runs_of(const Ground& ground, const peers::FlatScene& fl
 }
 
 Comparison compared(const CompareOptions& options, Progress& progress) {
-  const Scene scene = read_scene(options.input, options.mesh_camera);
+  const SceneDescription scene = read_scene(options.input, options.mesh_camera);
   const Camera& camera = options.camera ? camera_named(scene, *options.camera) : scene.cameras.front();
   const Ground ground = ground_of(scene, camera, progress);
   const peers::FlatScene flat = peers::flat_scene(ground.input.mesh, ground.scene);

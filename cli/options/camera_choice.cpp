@@ -10,7 +10,7 @@ namespace sightline::cli {
 
 namespace {
 
-std::string names_of_cameras(const Scene& scene) {
+std::string names_of_cameras(const SceneDescription& scene) {
   std::string names;
   for (const Camera& camera : scene.cameras) names += (names.empty() ? "" : ", ") + camera.name;
   return names;
@@ -18,7 +18,7 @@ std::string names_of_cameras(const Scene& scene) {
 
 }  // namespace
 
-const Camera& camera_named(const Scene& scene, const std::string& name) {
+const Camera& camera_named(const SceneDescription& scene, const std::string& name) {
   const auto has_name = [&name](const Camera& camera) { return camera.name == name; };
   const auto found = std::find_if(scene.cameras.begin(), scene.cameras.end(), has_name);
   if (found == scene.cameras.end())
@@ -26,7 +26,7 @@ const Camera& camera_named(const Scene& scene, const std::string& name) {
   return *found;
 }
 
-const Camera& only_camera(const Scene& scene) {
+const Camera& only_camera(const SceneDescription& scene) {
   if (scene.cameras.size() == 1) return scene.cameras.front();
   throw CommandLineError("the scene has several cameras: choose one with --camera, of " + names_of_cameras(scene));
 }

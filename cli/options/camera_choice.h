@@ -5,13 +5,13 @@
 
 #include <string>
 
-#include "cli/scene/scene.h"
+#include "cli/scene/scene_file.h"
 
 namespace sightline::cli {
 
-[[nodiscard]] const Camera& camera_named(const Scene& scene, const std::string& name);
+[[nodiscard]] const Camera& camera_named(const SceneDescription& scene, const std::string& name);
 
 // Where a scene has several, one has to be named.
-[[nodiscard]] const Camera& only_camera(const Scene& scene);
+[[nodiscard]] const Camera& only_camera(const SceneDescription& scene);
 
 }  // namespace sightline::cli

@@ -66,7 +66,7 @@ void ReportPage::add_view(const Mesh& mesh, const View& view, const std::vector<
   blocks_.push_back(packed(view_block(mesh, view, places, faces, ball_around(mesh), held)));
 }
 
-std::string ReportPage::text(const Scene& scene, const Mesh& mesh, const std::vector<Report>& reports,
+std::string ReportPage::text(const SceneDescription& scene, const Mesh& mesh, const std::vector<Report>& reports,
                              const Coverage& coverage) const {
   const Ball ball = ball_around(mesh);
   const Json content = {{"reports", list_json(reports, report_json)},

@@ -126,7 +126,8 @@ Report::ReflectedPanel reflected_panel(const Panel& panel, std::size_t index, co
   return reflected;
 }
 
-Report::Reflection reflection_of(const Scene& scene, const View& view, const std::vector<FaceMeasures>& faces) {
+Report::Reflection reflection_of(const SceneDescription& scene, const View& view,
+                                 const std::vector<FaceMeasures>& faces) {
   const ReflectionStatistics& statistics = view.reflections.statistics;
   Report::Reflection reflection;
   reflection.asked = scene.reflection;
@@ -167,7 +168,7 @@ double Report::Seconds::total() const {
          write;
 }
 
-Report make_report(const Scene& scene, const MeshInput& input, const ViewAnalysis& analysis,
+Report make_report(const SceneDescription& scene, const MeshInput& input, const ViewAnalysis& analysis,
                    const std::vector<FaceMeasures>& faces, double write_seconds) {
   const Mesh& mesh = input.mesh;
   const View& view = analysis.view;

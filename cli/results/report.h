@@ -10,7 +10,7 @@
 
 #include "cli/analyze/view_analysis.h"
 #include "cli/results/face_measures.h"
-#include "cli/scene/scene.h"
+#include "cli/scene/scene_file.h"
 
 namespace sightline::cli {
 
@@ -104,7 +104,7 @@ struct Report {
 };
 
 // faces: measure_faces(input.mesh, analysis.view). write_seconds: for the other files.
-[[nodiscard]] Report make_report(const Scene& scene, const MeshInput& input, const ViewAnalysis& analysis,
+[[nodiscard]] Report make_report(const SceneDescription& scene, const MeshInput& input, const ViewAnalysis& analysis,
                                  const std::vector<FaceMeasures>& faces, double write_seconds);
 
 }  // namespace sightline::cli

@@ -12,7 +12,7 @@ namespace sightline::cli {
 
 namespace {
 
-FamilyRuns runs_of(const StabilityFamily& family, Progress& progress) {
+FamilyRuns runs_of(const ExtremeFamily& family, Progress& progress) {
   FamilyRuns runs{&family, {}};
   for (const double value : family.values) {
     progress.stage(fmt::format("{}: {:.3g}", family.title, value));
@@ -43,7 +43,7 @@ std::string summary(const std::vector<FamilyRuns>& all, const std::string& outpu
 std::string stability_command(const StabilityOptions& options) {
   Progress progress(!options.quiet && Progress::watched());
   std::vector<FamilyRuns> all;
-  for (const StabilityFamily& family : stability_families()) {
+  for (const ExtremeFamily& family : extreme_families()) {
     if (!options.family || *options.family == family.name) all.push_back(runs_of(family, progress));
   }
   progress.stage("write the results");

@@ -14,7 +14,7 @@ namespace sightline::cli {
 
 namespace {
 
-void write_row(const StabilityFamily& family, const StabilityRun& run, TextBuffer& out) {
+void write_row(const ExtremeFamily& family, const StabilityRun& run, TextBuffer& out) {
   out << family.name << ',' << run.value << ',' << to_string(run.arithmetic) << ','
       << static_cast<std::uint32_t>(run.grid_bits) << ',' << std::uint64_t{run.faces} << ','
       << (run.finished ? "yes" : "no") << ',' << (run.broken.empty() ? "yes" : "no") << ',' << csv_text(run.broken)

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int timed_repeats = 5;
 
-View view_of(const StabilityScene& scene, Arithmetic arithmetic) {
+View view_of(const FamilyScene& scene, Arithmetic arithmetic) {
   View view;
   view.scene = project(scene.mesh, scene.camera, Sides::both, {arithmetic, scene.grid_bits});
   view.segments = plain_sweep(scene.mesh, view.scene);
@@ -23,7 +23,7 @@ View view_of(const StabilityScene& scene, Arithmetic arithmetic) {
   return view;
 }
 
-View timed_view(const StabilityScene& scene, Arithmetic arithmetic, double& seconds) {
+View timed_view(const FamilyScene& scene, Arithmetic arithmetic, double& seconds) {
   View view;
   seconds = std::numeric_limits<double>::infinity();
   for (int i = 0; i < timed_repeats; ++i) {
@@ -72,7 +72,7 @@ std::vector<oracle::Claim> claims_of(const View& view) {
 
 double part_of_window(const oracle::Rational& area) { return oracle::Rational(area / 4).convert_to<double>(); }
 
-void compare_with_truth(const StabilityScene& scene, const View& view, StabilityRun& run) {
+void compare_with_truth(const FamilyScene& scene, const View& view, StabilityRun& run) {
   const oracle::Comparison comparison = oracle::compare(scene.mesh, scene.camera, Sides::both, claims_of(view));
   std::vector<oracle::Rational> areas(scene.mesh.face_count());
   for (std::size_t p = 0; p < view.polygons.polygons.size(); ++p) {
@@ -104,8 +104,8 @@ double grid_bound(const ProjectedScene& scene) {
 
 }  // namespace
 
-StabilityRun run_stability(const StabilityFamily& family, double value, Arithmetic arithmetic) {
-  const StabilityScene scene = family.make(value);
+StabilityRun run_stability(const ExtremeFamily& family, double value, Arithmetic arithmetic) {
+  const FamilyScene scene = family.make(value);
   StabilityRun run;
   run.value = value;
   run.arithmetic = arithmetic;

@@ -43,7 +43,7 @@ std::string list_of_examples() {
 }
 
 Traced of_scene_file(const TraceOptions& options) {
-  const Scene scene = read_scene_file(*options.input);
+  const SceneDescription scene = read_scene_file(*options.input);
   const Camera& camera = options.camera ? camera_named(scene, *options.camera) : only_camera(scene);
   Progress silent(false);
   MeshInput input = read_mesh(scene.mesh_file, Normals::passed_over, default_memory_limit(), silent);

@@ -37,7 +37,7 @@ double number(const std::string& text) {
 }
 
 struct Analysed {
-  Scene scene;
+  SceneDescription scene;
   MeshInput input;
   ViewAnalysis analysis;
   std::vector<FaceMeasures> faces;
