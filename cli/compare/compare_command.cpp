@@ -7,13 +7,12 @@
 
 #include "cli/analyze/view_analysis.h"
 #include "cli/compare/compare_page.h"
-#include "cli/compare/compare_plot.h"
 #include "cli/compare/compare_table.h"
-#include "cli/options/camera_choice.h"
+#include "cli/options/camera_options.h"
 #include "cli/scene/scene_file.h"
 #include "cli/system/memory_limit.h"
-#include "cli/system/output_folder.h"
 #include "cli/system/progress.h"
+#include "cli/system/result_folders.h"
 #include "peers/peer_list.h"
 
 namespace sightline::cli {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "cli/pages/page_data.h"
 #include "cli/pages/page_template.h"
 #include "cli/pages/view_block.h"
 #include "cli/results/report_json.h"

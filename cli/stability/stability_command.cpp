@@ -5,8 +5,8 @@
 #include <array>
 
 #include "cli/stability/stability_report.h"
-#include "cli/system/output_folder.h"
 #include "cli/system/progress.h"
+#include "cli/system/result_folders.h"
 
 namespace sightline::cli {
 

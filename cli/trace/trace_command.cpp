@@ -6,9 +6,8 @@
 #include <filesystem>
 
 #include "cli/analyze/view_analysis.h"
-#include "cli/options/camera_choice.h"
+#include "cli/options/camera_options.h"
 #include "cli/options/requests.h"
-#include "cli/pages/page_data.h"
 #include "cli/pages/page_template.h"
 #include "cli/scene/scene_file.h"
 #include "cli/system/durable_file.h"

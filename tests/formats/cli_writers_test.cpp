@@ -12,7 +12,6 @@
 
 #include "cli/analyze/view_analysis.h"
 #include "cli/results/face_measures.h"
-#include "cli/results/faces_table.h"
 #include "cli/results/report.h"
 #include "cli/scene/scene_file.h"
 #include "cli/system/memory_limit.h"
