@@ -73,6 +73,28 @@ std::uint64_t memory_limit(const std::string& text) {
   return *bytes;
 }
 
+void declare_computation(CLI::App& analyze, AnalyzeTexts& texts) {
+  analyze.add_option("--sides", texts.sides, "which sides of faces count (auto)")->type_name("auto|front|both");
+  analyze.add_option("--arithmetic", texts.arithmetic, "in which every decision is taken (exact)")
+      ->type_name("float|double|exact");
+  analyze.add_option("--grid-bits", texts.grid_bits, "the image's grid has 2^N cells in the half window (40)")
+      ->type_name("N");
+  analyze.add_option("--engine", texts.engine, "sweep what the scene requires, or everything: same result (fast)")
+      ->type_name("fast|full");
+  analyze.add_option("--threads", texts.threads, "how many work at once: same result (all that there are)")
+      ->type_name("N");
+}
+
+void declare_results(CLI::App& analyze, AnalyzeTexts& texts) {
+  analyze.add_option("-o,--output", texts.output, "folder for the results, one folder in it per camera")
+      ->type_name("DIR");
+  analyze.add_option("--max-memory", texts.max_memory, "stop where more is needed (3/4 of the machine's memory)")
+      ->type_name("BYTES[K|M|G|T]");
+  analyze.add_flag("--report", texts.report_page, "write report.html, too: the results in 3D, in one page");
+  analyze.add_flag("--json", texts.json, "print the report on standard output");
+  analyze.add_flag("--quiet", texts.quiet, "neither progress nor summary");
+}
+
 void require_place_for_results(const AnalyzeTexts& texts) {
   if (!texts.output.empty()) return;
   if (!texts.json) throw CommandLineError("give -o DIR for the results, or --json for the report alone");
@@ -124,22 +146,8 @@ void declare_analyze(CLI::App& analyze, AnalyzeTexts& texts) {
       ->required()
       ->type_name("SCENE.toml|MESH.obj");
   declare_camera(analyze, texts.camera);
-  analyze.add_option("--sides", texts.sides, "which sides of faces count (auto)")->type_name("auto|front|both");
-  analyze.add_option("--arithmetic", texts.arithmetic, "in which every decision is taken (exact)")
-      ->type_name("float|double|exact");
-  analyze.add_option("--grid-bits", texts.grid_bits, "the image's grid has 2^N cells in the half window (40)")
-      ->type_name("N");
-  analyze.add_option("--engine", texts.engine, "sweep what the scene requires, or everything: same result (fast)")
-      ->type_name("fast|full");
-  analyze.add_option("--threads", texts.threads, "how many work at once: same result (all that there are)")
-      ->type_name("N");
-  analyze.add_option("-o,--output", texts.output, "folder for the results, one folder in it per camera")
-      ->type_name("DIR");
-  analyze.add_option("--max-memory", texts.max_memory, "stop where more is needed (3/4 of the machine's memory)")
-      ->type_name("BYTES[K|M|G|T]");
-  analyze.add_flag("--report", texts.report_page, "write report.html, too: the results in 3D, in one page");
-  analyze.add_flag("--json", texts.json, "print the report on standard output");
-  analyze.add_flag("--quiet", texts.quiet, "neither progress nor summary");
+  declare_computation(analyze, texts);
+  declare_results(analyze, texts);
   analyze.footer(
       "Example: sightline analyze fixtures/demo/scene.toml -o out --report\n"
       "Example: sightline analyze bunny.obj --eye 0,1,3 --target 0,0.1,0 --fov-y 30 -o out");

@@ -8,7 +8,7 @@
 
 #include "cli/compare/compare_table.h"
 #include "formats/pictures/line_plot.h"
-#include "formats/writing/html_text.h"
+#include "formats/writing/escaped_text.h"
 
 namespace sightline::cli {
 

@@ -1,7 +1,7 @@
 #include "cli/compare/compare_table.h"
 
 #include "cli/results/json.h"
-#include "formats/writing/csv_text.h"
+#include "formats/writing/escaped_text.h"
 #include "formats/writing/text_buffer.h"
 
 namespace sightline::cli {

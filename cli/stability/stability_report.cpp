@@ -7,8 +7,7 @@
 #include <iterator>
 
 #include "formats/pictures/line_plot.h"
-#include "formats/writing/csv_text.h"
-#include "formats/writing/html_text.h"
+#include "formats/writing/escaped_text.h"
 #include "formats/writing/text_buffer.h"
 
 namespace sightline::cli {
