@@ -25,11 +25,6 @@ Json camera_json(const Camera& camera) {
       {"aspect", camera.aspect}};
 }
 
-const char* to_string(SidesPolicy policy) {
-  if (policy == SidesPolicy::automatic) return "auto";
-  return policy == SidesPolicy::front ? "front" : "both";
-}
-
 Json sides_json(SidesPolicy asked, const SidesDecision& decision) {
   return {{"asked", to_string(asked)},
           {"used", decision.sides == Sides::front ? "front" : "both"},

@@ -128,10 +128,15 @@ SceneDescription read_scene(const std::string& input, const std::optional<Camera
   return {input, input, SidesPolicy::automatic, {*mesh_camera}, {}, {}};
 }
 
+const char* to_string(SidesPolicy policy) {
+  if (policy == SidesPolicy::automatic) return "auto";
+  return policy == SidesPolicy::front ? "front" : "both";
+}
+
 std::optional<SidesPolicy> sides_policy(std::string_view word) {
-  if (word == "auto") return SidesPolicy::automatic;
-  if (word == "front") return SidesPolicy::front;
-  if (word == "both") return SidesPolicy::both;
+  for (const SidesPolicy policy : {SidesPolicy::automatic, SidesPolicy::front, SidesPolicy::both}) {
+    if (word == to_string(policy)) return policy;
+  }
   return std::nullopt;
 }
 

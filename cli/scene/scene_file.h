@@ -35,7 +35,8 @@ struct SceneDescription {
 // A scene file, or, where a camera comes with it, a mesh that this camera sees.
 [[nodiscard]] SceneDescription read_scene(const std::string& input, const std::optional<Camera>& mesh_camera);
 
-// "auto", "front" or "both"; nothing for another word.
+// In the words of scene files and options: "auto", "front" or "both"; nothing for another word.
+[[nodiscard]] const char* to_string(SidesPolicy policy);
 [[nodiscard]] std::optional<SidesPolicy> sides_policy(std::string_view word);
 
 }  // namespace sightline::cli
