@@ -10,7 +10,7 @@
 
 #include "bench/scenes/generated_scenes.h"
 #include "cli/results/face_measures.h"
-#include "cli/system/process_memory.h"
+#include "cli/system/resources.h"
 #include "formats/reading/obj_reader.h"
 #include "formats/writing/labelled_obj.h"
 #include "formats/writing/labelled_ply.h"

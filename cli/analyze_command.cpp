@@ -8,9 +8,10 @@
 
 #include "cli/analyze/view_analysis.h"
 #include "cli/pages/report_page.h"
-#include "cli/results/report.h"
+#include "cli/results/report_json.h"
 #include "cli/results/summary.h"
 #include "cli/results/view_files.h"
+#include "cli/scene/result_names.h"
 #include "cli/scene/scene_file.h"
 #include "cli/system/memory_limit.h"
 #include "cli/system/resources.h"
@@ -25,8 +26,8 @@ namespace {
 // Of a thread; all count against the limit of memory.
 constexpr std::size_t stack_bytes = std::size_t{1} << 20;
 
-Scene scene_of(const AnalyzeOptions& options) {
-  Scene scene = read_scene(options.input, options.camera);
+SceneDescription scene_of(const AnalyzeOptions& options) {
+  SceneDescription scene = read_scene(options.input, options.camera);
   scene.sides = options.sides.value_or(scene.sides);
   return scene;
 }
@@ -54,7 +55,8 @@ struct Output {
 };
 
 // The report comes last: it says how long writing the others took.
-Report written_report(const Scene& scene, const MeshInput& input, const ViewAnalysis& analysis, Output& output) {
+Report written_report(const SceneDescription& scene, const MeshInput& input, const ViewAnalysis& analysis,
+                      Output& output) {
   const Stopwatch watch;
   const View& view = analysis.view;
   const std::vector<FaceMeasures> faces = measure_faces(view);
@@ -67,7 +69,7 @@ Report written_report(const Scene& scene, const MeshInput& input, const ViewAnal
 }
 
 // output: null where no files are wanted.
-Report camera_report(const Scene& scene, const MeshInput& input, const ViewAnalysis& analysis, Output* output,
+Report camera_report(const SceneDescription& scene, const MeshInput& input, const ViewAnalysis& analysis, Output* output,
                      Progress& progress) {
   if (output == nullptr) return make_report(scene, input, analysis, measure_faces(analysis.view), 0);
   output->seen.push_back(seen_part(analysis.view.labelled));
@@ -75,7 +77,7 @@ Report camera_report(const Scene& scene, const MeshInput& input, const ViewAnaly
   return written_report(scene, input, analysis, *output);
 }
 
-Coverage published_coverage(const Scene& scene, const CutMesh& mesh, const std::vector<Report>& reports, Output& output,
+Coverage published_coverage(const SceneDescription& scene, const CutMesh& mesh, const std::vector<Report>& reports, Output& output,
                             Progress& progress) {
   progress.stage("what the cameras cover together");
   Coverage coverage = cover(mesh, output.seen, scene.panels.size());
@@ -88,11 +90,12 @@ Coverage published_coverage(const Scene& scene, const CutMesh& mesh, const std::
 // coverage: of what is in the folder of the results, if there is one.
 std::string standard_output(const std::vector<Report>& reports, const std::optional<Coverage>& coverage,
                             const AnalyzeOptions& options) {
-  if (options.json) return report_text(reports.size() == 1 ? reports.front() : Report(reports));
+  if (options.json)
+    return reports.size() == 1 ? report_text(reports.front()) : json_text(list_json(reports, report_json));
   return options.quiet ? "" : summary(reports, coverage.value(), *options.output, options.report_page);
 }
 
-AnalysisOptions analysis_options(const Scene& scene, const AnalyzeOptions& options, std::vector<Vector3> corner_normals,
+AnalysisOptions analysis_options(const SceneDescription& scene, const AnalyzeOptions& options, std::vector<Vector3> corner_normals,
                                  AnalysisWatch& watch) {
   return {scene.sides,      options.precision,         options.engine, options.threads,
           scene.reflection, std::move(corner_normals), &watch};
@@ -100,7 +103,7 @@ AnalysisOptions analysis_options(const Scene& scene, const AnalyzeOptions& optio
 
 std::string analyzed(const AnalyzeOptions& options) {
   Progress progress(!options.quiet && Progress::watched());
-  const Scene scene = scene_of(options);
+  const SceneDescription scene = scene_of(options);
   const bool needs_normals = !scene.panels.empty() && scene.reflection.needs_vertex_normals();
   MeshInput input =
       read_mesh(scene.mesh_file, needs_normals ? Normals::read : Normals::passed_over, options.max_memory, progress);

@@ -5,6 +5,7 @@
 #include <exception>
 #include <new>
 #include <string>
+#include <variant>
 
 #include "cli/analyze_command.h"
 #include "cli/command_line.h"
@@ -13,14 +14,28 @@
 #include "cli/system/durable_file.h"
 #include "cli/trace/trace_command.h"
 
-namespace cli = sightline::cli;
+namespace sightline::cli {
 
 namespace {
 
 enum ExitCode { done = 0, input_is_wrong = 1, command_line_is_wrong = 2, internal_error = 3 };
 
+// Does what is asked for. Returns what belongs on standard output.
+struct Command {
+  std::string operator()(const AnalyzeOptions& options) const { return analyze_command(options); }
+  std::string operator()(const CompareOptions& options) const { return compare_command(options); }
+  std::string operator()(const StabilityOptions& options) const { return stability_command(options); }
+  std::string operator()(const TraceOptions& options) const { return trace_command(options); }
+  std::string operator()(const RequestedText& asked) const { return asked.text; }
+};
+
+void print(const std::string& text) {
+  const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
+  if (!written) throw OutputError("standard output cannot be written");
+}
+
 // One line, whatever names and texts from the input are in it.
-int fail(ExitCode code, std::string message) {
+ExitCode fail(ExitCode code, std::string message) {
   for (char& c : message) {
     if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = ' ';
   }
@@ -28,42 +43,32 @@ int fail(ExitCode code, std::string message) {
   return code;
 }
 
-void print(const std::string& text) {
-  const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
-  if (!written) throw cli::OutputError("standard output cannot be written");
+ExitCode fail_internally(const std::exception& error) {
+  return fail(internal_error, std::string("internal error: ") + error.what() + "; please report it with the input");
 }
 
-int run(int argc, const char* const* argv) {
-  const auto request = cli::parse_command_line(argc, argv);
-  if (const auto* asked = std::get_if<cli::RequestedText>(&request)) {
-    print(asked->text);
-  } else if (const auto* stability = std::get_if<cli::StabilityOptions>(&request)) {
-    print(cli::stability_command(*stability));
-  } else if (const auto* compare = std::get_if<cli::CompareOptions>(&request)) {
-    print(cli::compare_command(*compare));
-  } else if (const auto* trace = std::get_if<cli::TraceOptions>(&request)) {
-    print(cli::trace_command(*trace));
-  } else {
-    print(cli::analyze_command(std::get<cli::AnalyzeOptions>(request)));
-  }
-  return done;
-}
-
-}  // namespace
-
-int main(int argc, char** argv) {
-  std::signal(SIGXFSZ, SIG_IGN);  // a file beyond the limit of the user's shell is an error of writing, not a crash
+ExitCode run(int argc, const char* const* argv) {
   try {
-    return run(argc, argv);
-  } catch (const cli::CommandLineError& error) {
+    print(std::visit(Command(), parse_command_line(argc, argv)));
+    return done;
+  } catch (const CommandLineError& error) {
     return fail(command_line_is_wrong, std::string(error.what()) + "; see sightline --help");
-  } catch (const sightline::InternalError& error) {
-    return fail(internal_error, std::string("internal error: ") + error.what() + "; please report it with the input");
-  } catch (const sightline::Error& error) {
+  } catch (const InternalError& error) {
+    return fail_internally(error);
+  } catch (const Error& error) {
     return fail(input_is_wrong, error.what());
   } catch (const std::bad_alloc&) {
     return fail(internal_error, "out of memory");
   } catch (const std::exception& error) {
-    return fail(internal_error, std::string("internal error: ") + error.what() + "; please report it with the input");
+    return fail_internally(error);
   }
+}
+
+}  // namespace
+
+}  // namespace sightline::cli
+
+int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file beyond the limit of the user's shell is an error of writing, not a crash
+  return sightline::cli::run(argc, argv);
 }

@@ -1,6 +1,6 @@
 #include <optional>
 
-#include "cli/scene/camera_name.h"
+#include "cli/scene/result_names.h"
 #include "cli/scene/scene_file.h"
 #include "fuzz/checks.h"
 #include "fuzz/no_files.h"
@@ -12,11 +12,11 @@ namespace sightline::fuzz {
 using namespace cli;
 namespace {
 
-std::optional<Scene> scene_or_refused(std::string_view text) {
+std::optional<SceneDescription> scene_or_refused(std::string_view text) {
   const std::string path = "folder/input.toml";
   try {
     const NoFiles no_files;
-    Scene scene = parse_scene(text, path);
+    SceneDescription scene = parse_scene(text, path);
     if (NoFiles::was_tried()) throw Finding("a file was opened");
     return scene;
   } catch (const InputError& refusal) {
@@ -25,11 +25,11 @@ std::optional<Scene> scene_or_refused(std::string_view text) {
   }
 }
 
-void check_names(const Scene& scene) {
+void check_names(const SceneDescription& scene) {
   if (scene.cameras.empty()) throw Finding("a scene without cameras");
   for (std::size_t i = 0; i < scene.cameras.size(); ++i) {
     const std::string& name = scene.cameras[i].name;
-    if (camera_name_defect(name)) throw Finding("a camera's name is no folder's: " + name);
+    if (name_defect(name)) throw Finding("a camera's name is no folder's: " + name);
     for (std::size_t j = 0; j < i; ++j) {
       if (scene.cameras[j].name == name) throw Finding("two cameras are called " + name);
     }

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "cli/system/processor_time.h"
+#include "cli/system/resources.h"
 
 namespace sightline::bench {
 using namespace cli;

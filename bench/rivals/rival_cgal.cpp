@@ -6,7 +6,7 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/envelope_3.h>
 
-#include "cli/system/processor_time.h"
+#include "cli/system/resources.h"
 
 namespace sightline::bench {
 using namespace cli;

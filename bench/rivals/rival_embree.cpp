@@ -9,7 +9,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "cli/system/processor_time.h"
+#include "cli/system/resources.h"
 
 namespace sightline::bench {
 using namespace cli;

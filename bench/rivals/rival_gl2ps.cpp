@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <stdexcept>
 
-#include "cli/system/processor_time.h"
+#include "cli/system/resources.h"
 
 namespace sightline::bench {
 using namespace cli;

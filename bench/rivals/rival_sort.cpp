@@ -3,7 +3,7 @@
 
 #include "bench/rivals/rivals.h"
 #include "bench/scenes/scene_parts.h"
-#include "cli/system/processor_time.h"
+#include "cli/system/resources.h"
 
 namespace sightline::bench {
 using namespace cli;

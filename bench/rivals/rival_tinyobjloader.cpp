@@ -7,7 +7,7 @@
 
 #include <stdexcept>
 
-#include "cli/system/processor_time.h"
+#include "cli/system/resources.h"
 
 namespace sightline::bench {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "cli/system/processor_time.h"
+#include "cli/system/resources.h"
 #include "formats/reading/obj_reader.h"
 #include "geometry/cutting/common_lines.h"
 #include "geometry/cutting/interpenetration.h"

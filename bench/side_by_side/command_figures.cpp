@@ -11,7 +11,6 @@
 
 #include "bench/scenes/generated_scenes.h"
 #include "cli/results/view_files.h"
-#include "cli/system/processor_time.h"
 #include "cli/system/resources.h"
 #include "formats/writing/window_points.h"
 #include "geometry/numbers/mix.h"

@@ -3,8 +3,7 @@
 #include <utility>
 
 #include "bench/scenes/generated_scenes.h"
-#include "cli/system/process_memory.h"
-#include "cli/system/processor_time.h"
+#include "cli/system/resources.h"
 #include "sightline/analyzer.h"
 
 namespace sightline::bench {

@@ -7,13 +7,12 @@
 
 #include "cli/analyze/view_analysis.h"
 #include "cli/compare/compare_page.h"
-#include "cli/compare/compare_plot.h"
 #include "cli/compare/compare_table.h"
-#include "cli/options/camera_choice.h"
+#include "cli/options/camera_options.h"
 #include "cli/scene/scene_file.h"
 #include "cli/system/memory_limit.h"
-#include "cli/system/output_folder.h"
 #include "cli/system/progress.h"
+#include "cli/system/result_folders.h"
 #include "peers/peer_list.h"
 
 namespace sightline::cli {
@@ -26,7 +25,7 @@ struct Ground {
   peers::ExactParts exact;
 };
 
-Ground ground_of(const Scene& scene, const Camera& camera, Progress& progress) {
+Ground ground_of(const SceneDescription& scene, const Camera& camera, Progress& progress) {
   MeshInput input = read_mesh(scene.mesh_file, Normals::passed_over, default_memory_limit(), progress);
   const Analyzer analyzer(std::move(input.mesh), {.sides = scene.sides});
   progress.stage(camera.name + ": what is exactly visible");
@@ -54,7 +53,7 @@ std::vector<CompareRun> runs_of(const Ground& ground, const peers::FlatScene& fl
 }
 
 Comparison compared(const CompareOptions& options, Progress& progress) {
-  const Scene scene = read_scene(options.input, options.mesh_camera);
+  const SceneDescription scene = read_scene(options.input, options.mesh_camera);
   const Camera& camera = options.camera ? camera_named(scene, *options.camera) : scene.cameras.front();
   const Ground ground = ground_of(scene, camera, progress);
   const peers::FlatScene flat = peers::flat_scene(ground.scene);

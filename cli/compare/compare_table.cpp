@@ -1,15 +1,12 @@
 #include "cli/compare/compare_table.h"
 
-#include <nlohmann/json.hpp>
-
-#include "formats/writing/csv_text.h"
+#include "cli/results/json.h"
+#include "formats/writing/escaped_text.h"
 #include "formats/writing/text_buffer.h"
 
 namespace sightline::cli {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 const char* to_string(peers::ComputedAt computed_at) {
   return computed_at == peers::ComputedAt::image_precision ? "image" : "object";
@@ -68,7 +65,7 @@ Json run_json(const CompareRun& run) {
           {"title", run.peer.title},
           {"source", run.peer.source},
           {"precision", to_string(run.peer.computed_at)},
-          {"resolution", run.resolution ? Json(*run.resolution) : Json()},
+          {"resolution", as_json(run.resolution)},
           {"outcome", to_string(run.end)},
           {"why", run.why.empty() ? Json() : Json(run.why)},
           {"seconds", is_done ? Json(run.seconds) : Json()},
@@ -97,16 +94,14 @@ std::string compare_table(const Comparison& comparison) {
 }
 
 std::string compare_json(const Comparison& comparison) {
-  Json runs = Json::array();
-  for (const CompareRun& run : comparison.runs) runs.push_back(run_json(run));
   const Json json = {{"scene", comparison.scene},
                      {"camera", comparison.camera},
                      {"faces", comparison.faces},
                      {"polygons_in_view", comparison.polygons},
                      {"visible_faces", comparison.visible_faces},
                      {"time_limit_s", comparison.limit_seconds},
-                     {"runs", std::move(runs)}};
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+                     {"runs", list_json(comparison.runs, run_json)}};
+  return json_text(json);
 }
 
 }  // namespace sightline::cli

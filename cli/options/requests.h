@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "cli/scene/scene.h"
+#include "cli/scene/scene_file.h"
 #include "geometry/numbers/arithmetic.h"
 #include "geometry/numbers/errors.h"
 #include "sweep/engine.h"

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "cli/pages/page_data.h"
 #include "cli/pages/page_template.h"
 #include "cli/pages/view_block.h"
+#include "cli/results/report_json.h"
 
 namespace sightline::cli {
 
@@ -29,27 +29,19 @@ std::size_t seen_triangles(const LabelledMesh& labelled) {
                                                 [](const LabelledTriangle& triangle) { return triangle.seen; }));
 }
 
-Report json_of(const Vector3& v) { return {v.x, v.y, v.z}; }
-
-Report as_json(const CoveredAreas& areas) {
+Json areas_json(const CoveredAreas& areas) {
   return {{"visible", areas.visible}, {"any_panel", areas.any_panel}, {"panels", areas.panels}};
 }
 
-Report coverage_part(const Coverage& coverage) {
-  Report cameras = Report::array();
-  for (const CoveredAreas& areas : coverage.cameras) cameras.push_back(as_json(areas));
-  return {{"area", coverage.area}, {"cameras", cameras}, {"together", as_json(coverage.together)}};
+Json coverage_json(const Coverage& coverage) {
+  return {{"area", coverage.area},
+          {"cameras", list_json(coverage.cameras, areas_json)},
+          {"together", areas_json(coverage.together)}};
 }
 
-Report panels_part(const std::vector<Panel>& panels) {
-  Report part = Report::array();
-  for (const Panel& panel : panels) {
-    Report corners = Report::array();
-    for (const Point3& corner : panel.corners) corners.push_back(json_of(corner));
-    part.push_back(
-        {{"name", panel.name}, {"corners", corners}, {"emits", panel.emits == Emits::front ? "front" : "both"}});
-  }
-  return part;
+Json panel_json(const Panel& panel) {
+  const Json corners = list_json(panel.corners, [](const Point3& corner) { return as_json(corner); });
+  return {{"name", panel.name}, {"corners", corners}, {"emits", as_json(panel.emits)}};
 }
 
 }  // namespace
@@ -73,17 +65,17 @@ void ReportPage::add_view(const View& view, const std::vector<Point2>& places, c
   blocks_.push_back(packed(view_block(view, places, faces, ball_around(mesh), held)));
 }
 
-std::string ReportPage::text(const Scene& scene, const CutMesh& mesh, const std::vector<Report>& reports,
+std::string ReportPage::text(const SceneDescription& scene, const CutMesh& mesh, const std::vector<Report>& reports,
                              const Coverage& coverage) const {
   const Ball ball = ball_around(mesh);
-  const Report content = {{"reports", reports},
-                          {"held", held_},
-                          {"most_triangles", most_triangles_},
-                          {"centre", json_of(ball.centre)},
-                          {"radius", ball.radius},
-                          {"panels", panels_part(scene.panels)},
-                          {"coverage", coverage_part(coverage)}};
-  std::string data = packed(report_text(content));
+  const Json content = {{"reports", list_json(reports, report_json)},
+                        {"held", held_},
+                        {"most_triangles", most_triangles_},
+                        {"centre", as_json(ball.centre)},
+                        {"radius", ball.radius},
+                        {"panels", list_json(scene.panels, panel_json)},
+                        {"coverage", coverage_json(coverage)}};
+  std::string data = packed(json_text(content));
   for (const std::string& block : blocks_) data += '\n' + block;
   return page_with_data(PageName::report, data);
 }

@@ -20,7 +20,6 @@
 
 namespace sightline::cli {
 
-constexpr const char* report_page_file = "report.html";
 constexpr std::size_t most_page_triangles = 2'000'000;
 
 class ReportPage {
@@ -31,7 +30,7 @@ class ReportPage {
   void add_view(const View& view, const std::vector<Point2>& places, const std::vector<FaceMeasures>& faces);
 
   // reports: of the views that were added, in their order.
-  [[nodiscard]] std::string text(const Scene& scene, const CutMesh& mesh, const std::vector<Report>& reports,
+  [[nodiscard]] std::string text(const SceneDescription& scene, const CutMesh& mesh, const std::vector<Report>& reports,
                                  const Coverage& coverage) const;
 
  private:

@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstring>
 #include <limits>
 #include <span>
 
-#include "cli/pages/array_block.h"
-#include "cli/pages/face_borders.h"
 #include "formats/writing/face_shade.h"
 
 namespace sightline::cli {
@@ -154,6 +153,51 @@ void add_faces(ArrayBlock& block, const std::vector<FaceMeasures>& faces, std::s
   block.add("face_reflecting_area", reflecting);
 }
 
+constexpr std::size_t alignment = 8;
+
+std::size_t aligned(std::size_t size) { return (size + alignment - 1) / alignment * alignment; }
+
+// Little endian, whatever the machine is.
+template <class Number>
+void append_bytes(std::string& out, const std::vector<Number>& values) {
+  const std::size_t begin = out.size();
+  out.resize(begin + values.size() * sizeof(Number));
+  if (!values.empty()) std::memcpy(out.data() + begin, values.data(), values.size() * sizeof(Number));
+  if constexpr (std::endian::native == std::endian::big) {
+    for (char* at = out.data() + begin; at != out.data() + out.size(); at += sizeof(Number))
+      std::reverse(at, at + sizeof(Number));
+  }
+}
+
+using Ends = std::array<VertexId, 2>;  // the smaller one first
+
+Ends edge_of(const LabelledTriangle& triangle, std::size_t i) {
+  const VertexId a = triangle.corners[i];
+  const VertexId b = triangle.corners[(i + 1) % 3];
+  return {std::min(a, b), std::max(a, b)};
+}
+
+std::vector<Ends> sorted_edges(std::span<const LabelledTriangle> face) {
+  std::vector<Ends> edges;
+  for (const LabelledTriangle& triangle : face) {
+    for (std::size_t i = 0; i < 3; ++i) edges.push_back(edge_of(triangle, i));
+  }
+  std::sort(edges.begin(), edges.end());
+  return edges;
+}
+
+void append_borders(std::span<const LabelledTriangle> face, std::vector<std::uint8_t>& borders) {
+  const std::vector<Ends> edges = sorted_edges(face);
+  for (const LabelledTriangle& triangle : face) {
+    unsigned border = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto [first, last] = std::equal_range(edges.begin(), edges.end(), edge_of(triangle, i));
+      if (last - first == 1) border |= 1U << i;
+    }
+    borders.push_back(static_cast<std::uint8_t>(border));
+  }
+}
+
 }  // namespace
 
 std::string view_block(const View& view, const std::vector<Point2>& places, const std::vector<FaceMeasures>& faces,
@@ -163,6 +207,41 @@ std::string view_block(const View& view, const std::vector<Point2>& places, cons
   add_polygons(block, view, places);
   add_faces(block, faces, view.reflections.panels.size());
   return block.bytes();
+}
+
+template <class Number>
+void ArrayBlock::append(const char* name, const char* type, const std::vector<Number>& values) {
+  head_.push_back({{"name", name}, {"type", type}, {"count", values.size()}});
+  append_bytes(body_, values);
+  body_.resize(aligned(body_.size()), '\0');
+}
+
+template void ArrayBlock::append(const char*, const char*, const std::vector<std::uint8_t>&);
+template void ArrayBlock::append(const char*, const char*, const std::vector<std::uint32_t>&);
+template void ArrayBlock::append(const char*, const char*, const std::vector<std::uint64_t>&);
+template void ArrayBlock::append(const char*, const char*, const std::vector<float>&);
+template void ArrayBlock::append(const char*, const char*, const std::vector<double>&);
+
+std::string ArrayBlock::bytes() const {
+  std::string head = head_.dump();
+  const std::size_t begin = sizeof(std::uint32_t);
+  head.resize(aligned(begin + head.size()) - begin, ' ');
+  std::string out;
+  append_bytes(out, std::vector{static_cast<std::uint32_t>(head.size())});
+  return out + head + body_;
+}
+
+std::vector<std::uint8_t> face_borders(const LabelledMesh& labelled) {
+  const std::span<const LabelledTriangle> triangles(labelled.triangles);
+  std::vector<std::uint8_t> borders;
+  borders.reserve(triangles.size());
+  for (std::size_t begin = 0; begin < triangles.size();) {
+    std::size_t end = begin + 1;
+    while (end < triangles.size() && triangles[end].face == triangles[begin].face) ++end;
+    append_borders(triangles.subspan(begin, end - begin), borders);
+    begin = end;
+  }
+  return borders;
 }
 
 }  // namespace sightline::cli

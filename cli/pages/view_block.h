@@ -1,4 +1,4 @@
-// What the page of the report knows of one camera, as arrays (array_block.h).
+// What the page of the report knows of one camera, as arrays (ArrayBlock).
 //
 // positions (f32, x y z in units of the ball's radius, from its centre), corners (u32, three per triangle), triangle_face (u32),
 // triangle_state (u8: bits 0 and 1 the label, bit 2 seen, bits 3 to 5 whether the edge from corner 0, 1, 2 to the next
@@ -12,10 +12,12 @@
 // Complexity: O(n log k) for faces of k triangles.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "cli/results/face_measures.h"
+#include "cli/results/json.h"
 #include "geometry/mesh/mesh.h"
 #include "sightline/view.h"
 
@@ -33,5 +35,32 @@ enum class HeldTriangles : std::uint8_t { all, seen };
 // places: window_points(view). faces: measure_faces(view).
 [[nodiscard]] std::string view_block(const View& view, const std::vector<Point2>& places,
                                      const std::vector<FaceMeasures>& faces, const Ball& ball, HeldTriangles held);
+
+// Named arrays of numbers as bytes: what JavaScript opens as typed arrays without a copy.
+//
+// Out: the length of the head (u32), the head (JSON: [{"name", "type", "count"}, ...], filled up with spaces), then the
+//      arrays one after the other, each filled up with zeros; every array begins at a multiple of 8. Little endian. The
+//      types are u8, u32, u64, f32 and f64.
+class ArrayBlock {
+ public:
+  void add(const char* name, const std::vector<std::uint8_t>& values) { append(name, "u8", values); }
+  void add(const char* name, const std::vector<std::uint32_t>& values) { append(name, "u32", values); }
+  void add(const char* name, const std::vector<std::uint64_t>& values) { append(name, "u64", values); }
+  void add(const char* name, const std::vector<float>& values) { append(name, "f32", values); }
+  void add(const char* name, const std::vector<double>& values) { append(name, "f64", values); }
+
+  [[nodiscard]] std::string bytes() const;
+
+ private:
+  template <class Number>
+  void append(const char* name, const char* type, const std::vector<Number>& values);
+
+  Json head_ = Json::array();
+  std::string body_;
+};
+
+// Which edges of the refined triangles are pieces of the edges of their faces: per triangle three bits, of which bit i is
+// the edge from corner i to the next one. What lies between two triangles of one face is not on its border.
+[[nodiscard]] std::vector<std::uint8_t> face_borders(const LabelledMesh& labelled);
 
 }  // namespace sightline::cli

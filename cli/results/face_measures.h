@@ -7,8 +7,10 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
+#include "formats/writing/text_buffer.h"
 #include "geometry/mesh/mesh.h"
 #include "sightline/view.h"
 
@@ -36,5 +38,9 @@ struct FaceMeasures {
 };
 
 [[nodiscard]] std::vector<FaceMeasures> measure_faces(const View& view);
+
+// faces.csv: a row per input face, in file order, index from 0. panels: their names; per panel there is a column
+// reflecting_area:NAME.
+void write_faces_table(const std::vector<FaceMeasures>& faces, const std::vector<std::string>& panels, TextBuffer& out);
 
 }  // namespace sightline::cli

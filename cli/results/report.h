@@ -1,26 +1,108 @@
-// report.json: what was analysed, how, what came out, what it cost.
+// What was analysed for one camera, how, what came out, and what it cost: in values. report_json.h writes them.
 //
-// Equal between runs except for times_s and peak_memory_bytes. Lengths and areas in input units, image areas in the
-// window
-// [-1, 1]^2. A number beyond the range of double is null.
+// Equal between runs except for the seconds and the peak memory. Lengths and areas in input units, image areas in the
+// window [-1, 1]^2.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <cstdint>
+#include <string>
 #include <vector>
 
 #include "cli/analyze/view_analysis.h"
 #include "cli/results/face_measures.h"
-#include "cli/scene/scene.h"
+#include "cli/scene/scene_file.h"
 
 namespace sightline::cli {
 
-using Report = nlohmann::ordered_json;
+struct Report {
+  struct Surface {
+    std::string scene_file;
+    std::string mesh_file;
+    std::size_t vertices = 0;
+    std::size_t faces = 0;
+    std::size_t facets = 0;  // before they were cut along common lines
+  };
+
+  // Input faces by the highest label of their triangles.
+  struct FaceCounts {
+    std::size_t visible = 0;
+    std::size_t reflecting = 0;  // some panel, whatever the label
+    std::size_t hidden = 0;
+    std::size_t out_of_view = 0;
+    std::size_t back_facing = 0;
+    std::size_t skipped = 0;
+  };
+
+  struct Counts {
+    FaceCounts faces;
+    std::size_t edges = 0;
+    std::size_t sweep_points = 0;
+    std::size_t crossings = 0;
+    std::size_t visible_segments = 0;
+    std::size_t visible_polygons = 0;
+    std::size_t below_resolution = 0;  // of the polygons
+    std::size_t holes = 0;
+    std::size_t output_triangles = 0;
+    std::size_t crossing_pairs = 0;  // of faces that pass through each other
+  };
+
+  struct Areas {
+    double surface = 0;
+    double in_view = 0;
+    double visible = 0;
+    double image_visible = 0;
+    double image_uncovered = 0;  // of the window's area 4
+  };
+
+  struct ReflectedPanel {
+    std::string name;
+    Emits emits = Emits::both;
+    double area = 0;  // of the surface that reflects it
+    double image_area = 0;
+    std::size_t pieces = 0;  // in the image: triangles in the mode of this name, else polygons
+  };
+
+  struct Reflection {
+    ReflectionOptions asked;
+    double reached = 0;  // in smooth mode: the share that the tolerance bounds
+    std::vector<ReflectedPanel> panels;
+    std::uint64_t pyramids = 0;
+    std::uint64_t obstacles = 0;
+    std::uint64_t blocked = 0;
+  };
+
+  struct BelowResolution {
+    std::size_t count = 0;      // of faces with a visible polygon below resolution
+    std::vector<FaceId> faces;  // the first of them
+  };
+
+  // read, and of the stages contacts and cut, are shared by all cameras of a scene.
+  struct Seconds {
+    double read = 0;
+    StageSeconds stages;
+    double write = 0;  // the other files
+
+    [[nodiscard]] double total() const;
+  };
+
+  Surface surface;
+  Camera camera;
+  SidesPolicy sides_asked = SidesPolicy::automatic;
+  SidesDecision sides;
+  Precision precision;
+  Engine engine = Engine::fast;
+  Counts counts;
+  Areas areas;
+  Reflection reflection;
+  BelowResolution below_resolution;
+  Seconds seconds;
+  std::uint64_t peak_memory_bytes = 0;
+  predicates::Counts predicates;
+  std::vector<std::string> warnings;
+};
 
 // faces: measure_faces(analysis.view). write_seconds: for the other files.
-[[nodiscard]] Report make_report(const Scene& scene, const MeshInput& input, const ViewAnalysis& analysis,
+[[nodiscard]] Report make_report(const SceneDescription& scene, const MeshInput& input, const ViewAnalysis& analysis,
                                  const std::vector<FaceMeasures>& faces, double write_seconds);
-
-// Indented, with a line end; bytes that are not UTF-8 (in file names) are replaced.
-[[nodiscard]] std::string report_text(const Report& report);
 
 }  // namespace sightline::cli

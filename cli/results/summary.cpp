@@ -22,10 +22,9 @@ std::string shortened(const std::string& name, std::size_t width) {
 }
 
 std::string scene_line(const Report& report) {
-  const Report& scene = report["scene"];
-  return fmt::format("{}: {} vertices, {} faces, area {:.6g}\n\n", scene["mesh"].get<std::string>(),
-                     scene["vertices"].get<std::size_t>(), scene["faces"].get<std::size_t>(),
-                     report["areas"]["surface"].get<double>());
+  const Report::Surface& surface = report.surface;
+  return fmt::format("{}: {} vertices, {} faces, area {:.6g}\n\n", surface.mesh_file, surface.vertices, surface.faces,
+                     report.areas.surface);
 }
 
 std::string table_head() {
@@ -37,27 +36,24 @@ std::string table_head() {
 // reflecting: of the visible faces those that show a panel. window filled: the share of the window that the surface
 // covers.
 std::string camera_line(const Report& report) {
-  const Report& faces = report["counts"]["faces"];
-  const auto count = [&](const char* label) { return faces[label].get<std::size_t>(); };
-  const double filled = 100 * (1 - report["areas"]["image_uncovered"].get<double>() / 4);
-  return fmt::format(camera_table_line, shortened(report["camera"]["name"].get<std::string>(), camera_width),
-                     count("visible"), count("reflecting"), count("hidden"), count("out_of_view"), count("back_facing"),
-                     fmt::format("{:.6g}", report["areas"]["visible"].get<double>()), fmt::format("{:.1f} %", filled),
-                     fmt::format("{:.3f}", report["times_s"]["total"].get<double>()));
+  const Report::FaceCounts& faces = report.counts.faces;
+  const double filled = 100 * (1 - report.areas.image_uncovered / 4);
+  return fmt::format(camera_table_line, shortened(report.camera.name, camera_width), faces.visible, faces.reflecting,
+                     faces.hidden, faces.out_of_view, faces.back_facing, fmt::format("{:.6g}", report.areas.visible),
+                     fmt::format("{:.1f} %", filled), fmt::format("{:.3f}", report.seconds.total()));
 }
 
 // What each panel is worth to each camera: on the surface, and of what the camera sees of it.
 std::string panel_lines(const std::vector<Report>& reports) {
-  if (reports.front()["reflections"]["panels"].empty()) return "";
+  if (reports.front().reflection.panels.empty()) return "";
   std::string text =
       fmt::format("\n{:16} {:16} {:>16} {:>16}\n", "camera", "panel", "area reflecting", "of the visible");
   for (const Report& report : reports) {
-    const double visible = report["areas"]["visible"].get<double>();
-    for (const Report& panel : report["reflections"]["panels"]) {
-      const double area = panel["area"].get<double>();
-      text += fmt::format(
-          "{:16} {:16} {:>16.6g} {:>14.2f} %\n", shortened(report["camera"]["name"].get<std::string>(), name_width),
-          shortened(panel["name"].get<std::string>(), name_width), area, visible > 0 ? 100 * area / visible : 0.0);
+    const double visible = report.areas.visible;
+    for (const Report::ReflectedPanel& panel : report.reflection.panels) {
+      text +=
+          fmt::format("{:16} {:16} {:>16.6g} {:>14.2f} %\n", shortened(report.camera.name, name_width),
+                      shortened(panel.name, name_width), panel.area, visible > 0 ? 100 * panel.area / visible : 0.0);
     }
   }
   return text;
@@ -77,7 +73,7 @@ std::string coverage_lines(const Coverage& coverage) {
 
 std::string warnings_line(const std::vector<Report>& reports) {
   std::size_t count = 0;
-  for (const Report& report : reports) count += report["warnings"].size();
+  for (const Report& report : reports) count += report.warnings.size();
   return count == 0 ? ""
                     : fmt::format("\n{} warning{}: see \"warnings\" in report.json\n", count, count == 1 ? "" : "s");
 }
@@ -91,14 +87,14 @@ std::string summary(const std::vector<Report>& reports, const Coverage& coverage
   text += panel_lines(reports);
   text += coverage_lines(coverage);
   text += warnings_line(reports);
-  const std::string first = reports.front()["camera"]["name"].get<std::string>();
   text += fmt::format("\nOne folder per camera in {}\n", output);
   text += "  view.svg       the visible polygons as the camera sees them\n";
   text += "  labelled.ply   the refined surface with labels (also labelled.obj)\n";
   text += "  faces.csv      how much of each face is seen (also segments.csv, report.json)\n";
   text += "Beside them: coverage.csv, how much cameras and panels cover together\n";
   if (with_page) text += "             report.html, all of this in 3D\n";
-  text += "Start with " + output + (with_page ? "/report.html" : "/" + first + "/view.svg") + "\n";
+  text +=
+      "Start with " + output + (with_page ? "/report.html" : "/" + reports.front().camera.name + "/view.svg") + "\n";
   return text;
 }
 

@@ -1,6 +1,6 @@
 #include "cli/results/view_files.h"
 
-#include "cli/results/faces_table.h"
+#include "cli/results/face_measures.h"
 #include "formats/writing/labelled_obj.h"
 #include "formats/writing/labelled_ply.h"
 #include "formats/writing/segments_table.h"

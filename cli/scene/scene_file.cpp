@@ -10,8 +10,7 @@
 #include <optional>
 #include <set>
 
-#include "cli/scene/camera_table.h"
-#include "cli/scene/panel_table.h"
+#include "cli/scene/scene_tables.h"
 #include "cli/scene/toml_reader.h"
 #include "formats/reading/printable.h"
 #include "geometry/numbers/errors.h"
@@ -114,68 +113,39 @@ std::vector<Panel> read_panels(const toml::table& root, const std::string& path)
                    fmt::format("more than {} panels", most_panels));
 }
 
-ReflectionMode read_mode(const TomlReader& table) {
-  if (!table.has("mode")) return ReflectionMode::exact;
-  const std::string word = table.text("mode");
-  for (const ReflectionMode mode : {ReflectionMode::exact, ReflectionMode::triangles, ReflectionMode::smooth}) {
-    if (word == to_string(mode)) return mode;
-  }
-  table.fail("mode", "'mode' must be \"exact\", \"triangles\" or \"smooth\"");
-}
-
-MirrorNormals read_normals(const TomlReader& table) {
-  const std::string word = table.text("normals");
-  for (const MirrorNormals normals : {MirrorNormals::face, MirrorNormals::vertex}) {
-    if (word == to_string(normals)) return normals;
-  }
-  table.fail("normals", "'normals' must be \"face\" or \"vertex\"");
-}
-
-double read_tolerance(const TomlReader& table) {
-  const double tolerance = table.number("tolerance");
-  if (!(tolerance > 0 && tolerance < 1)) table.fail("tolerance", "'tolerance' must be between 0 and 1");
-  return tolerance;
-}
-
 ReflectionOptions read_reflection(const toml::table& root, const std::string& path) {
-  ReflectionOptions options;
   const toml::node* node = root.get("reflection");
-  if (node == nullptr) return options;
+  if (node == nullptr) return {};
   const std::size_t line = node->source().begin.line;
   if (!node->is_table()) throw InputError(path, line, "'reflection' must be a table: [reflection]");
-  const TomlReader table{*node->as_table(), path, "[reflection]", line};
-  table.allow_only({"mode", "normals", "tolerance"});
-  options.mode = read_mode(table);
-  const auto only_for = [&](const char* key, ReflectionMode mode) {
-    if (!table.has(key)) return false;
-    if (options.mode != mode) table.fail(key, fmt::format("'{}' is for mode \"{}\" only", key, to_string(mode)));
-    return true;
-  };
-  if (only_for("normals", ReflectionMode::triangles)) options.normals = read_normals(table);
-  if (only_for("tolerance", ReflectionMode::smooth)) options.tolerance = read_tolerance(table);
-  return options;
+  return read_reflection(TomlReader{*node->as_table(), path, "[reflection]", line});
 }
 
 }  // namespace
 
-Scene read_scene(const std::string& input, const std::optional<Camera>& mesh_camera) {
+SceneDescription read_scene(const std::string& input, const std::optional<Camera>& mesh_camera) {
   if (!mesh_camera) return read_scene_file(input);
   return {input, input, SidesPolicy::automatic, {*mesh_camera}, {}, {}};
 }
 
+const char* to_string(SidesPolicy policy) {
+  if (policy == SidesPolicy::automatic) return "auto";
+  return policy == SidesPolicy::front ? "front" : "both";
+}
+
 std::optional<SidesPolicy> sides_policy(std::string_view word) {
-  if (word == "auto") return SidesPolicy::automatic;
-  if (word == "front") return SidesPolicy::front;
-  if (word == "both") return SidesPolicy::both;
+  for (const SidesPolicy policy : {SidesPolicy::automatic, SidesPolicy::front, SidesPolicy::both}) {
+    if (word == to_string(policy)) return policy;
+  }
   return std::nullopt;
 }
 
-Scene parse_scene(std::string_view text, const std::string& path) {
+SceneDescription parse_scene(std::string_view text, const std::string& path) {
   const toml::table root = parsed(text, path);
   TomlReader(root, path, "the scene file", 0).allow_only({"mesh", "camera", "panel", "reflection"});
   const TomlReader mesh = mesh_table(root, path);
   mesh.allow_only({"file", "sides"});
-  Scene scene;
+  SceneDescription scene;
   scene.file = path;
   scene.mesh_file = (std::filesystem::path(path).parent_path() / read_file_name(mesh)).string();
   scene.sides = read_sides(mesh);
@@ -185,7 +155,7 @@ Scene parse_scene(std::string_view text, const std::string& path) {
   return scene;
 }
 
-Scene read_scene_file(const std::string& path) {
+SceneDescription read_scene_file(const std::string& path) {
   const auto unreadable = [&](int cause) {
     return InputError(path, 0, fmt::format("the scene file cannot be read: {}", std::strerror(cause)));
   };

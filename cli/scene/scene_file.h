@@ -1,6 +1,6 @@
-// Scene files (TOML): which mesh, the cameras, and the panels. The README describes the format.
+// What the command is asked to analyse, and scene files (TOML), which say it; the README describes the format.
 //
-// In:  the path of a scene file. Out: a Scene; paths in the file are relative to the file's folder.
+// In:  the path of a scene file. Out: a SceneDescription; paths in the file are relative to the file's folder.
 // Errors: InputError with file and line: no such file, more than 64 MiB, TOML that does not parse, a line with more than
 // 1000 dots, a key that is unknown, missing or of the wrong type, twice the same name, a camera that defines no view, a
 // panel that is no planar polygon.
@@ -9,20 +9,34 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
-#include "cli/scene/scene.h"
+#include "geometry/projection/camera.h"
+#include "geometry/projection/culling.h"
+#include "reflect/world/panel.h"
+#include "reflect/world/reflection_options.h"
 
 namespace sightline::cli {
 
-[[nodiscard]] Scene read_scene_file(const std::string& path);
+struct SceneDescription {
+  std::string file;       // the scene file, or the mesh file where the camera came from the command line
+  std::string mesh_file;  // a path that can be opened from the working directory
+  SidesPolicy sides = SidesPolicy::automatic;
+  std::vector<Camera> cameras;  // at least one; names are distinct and safe folder names
+  std::vector<Panel> panels;    // names are distinct, and one word each
+  ReflectionOptions reflection;
+};
+
+[[nodiscard]] SceneDescription read_scene_file(const std::string& path);
 
 // The same for a text in memory; path is for messages and for what is relative to it.
-[[nodiscard]] Scene parse_scene(std::string_view text, const std::string& path);
+[[nodiscard]] SceneDescription parse_scene(std::string_view text, const std::string& path);
 
 // A scene file, or, where a camera comes with it, a mesh that this camera sees.
-[[nodiscard]] Scene read_scene(const std::string& input, const std::optional<Camera>& mesh_camera);
+[[nodiscard]] SceneDescription read_scene(const std::string& input, const std::optional<Camera>& mesh_camera);
 
-// "auto", "front" or "both"; nothing for another word.
+// In the words of scene files and options: "auto", "front" or "both"; nothing for another word.
+[[nodiscard]] const char* to_string(SidesPolicy policy);
 [[nodiscard]] std::optional<SidesPolicy> sides_policy(std::string_view word);
 
 }  // namespace sightline::cli

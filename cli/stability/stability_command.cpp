@@ -5,14 +5,14 @@
 #include <array>
 
 #include "cli/stability/stability_report.h"
-#include "cli/system/output_folder.h"
 #include "cli/system/progress.h"
+#include "cli/system/result_folders.h"
 
 namespace sightline::cli {
 
 namespace {
 
-FamilyRuns runs_of(const StabilityFamily& family, Progress& progress) {
+FamilyRuns runs_of(const ExtremeFamily& family, Progress& progress) {
   FamilyRuns runs{&family, {}};
   for (const double value : family.values) {
     progress.stage(fmt::format("{}: {:.3g}", family.title, value));
@@ -43,7 +43,7 @@ std::string summary(const std::vector<FamilyRuns>& all, const std::string& outpu
 std::string stability_command(const StabilityOptions& options) {
   Progress progress(!options.quiet && Progress::watched());
   std::vector<FamilyRuns> all;
-  for (const StabilityFamily& family : stability_families()) {
+  for (const ExtremeFamily& family : extreme_families()) {
     if (!options.family || *options.family == family.name) all.push_back(runs_of(family, progress));
   }
   progress.stage("write the results");

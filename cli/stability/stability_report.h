@@ -12,7 +12,7 @@
 namespace sightline::cli {
 
 struct FamilyRuns {
-  const StabilityFamily* family = nullptr;
+  const ExtremeFamily* family = nullptr;
   std::vector<StabilityRun> runs;
 };
 

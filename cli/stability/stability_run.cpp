@@ -15,7 +15,7 @@ namespace {
 
 constexpr int timed_repeats = 5;
 
-Visibility timed_view(const StabilityScene& scene, Arithmetic arithmetic, double& seconds) {
+Visibility timed_view(const FamilyScene& scene, Arithmetic arithmetic, double& seconds) {
   const Analyzer analyzer(
       uncrossed(scene.mesh),
       {.sides = SidesPolicy::both, .precision = {arithmetic, scene.grid_bits}, .engine = Engine::full});
@@ -66,7 +66,7 @@ std::vector<oracle::Claim> claims_of(const Visibility& view) {
 
 double part_of_window(const oracle::Rational& area) { return oracle::Rational(area / 4).convert_to<double>(); }
 
-void compare_with_truth(const StabilityScene& scene, const Visibility& view, StabilityRun& run) {
+void compare_with_truth(const FamilyScene& scene, const Visibility& view, StabilityRun& run) {
   const oracle::Comparison comparison = oracle::compare(scene.mesh, scene.camera, Sides::both, claims_of(view));
   std::vector<oracle::Rational> areas(scene.mesh.face_count());
   for (std::size_t p = 0; p < view.polygons.polygons.size(); ++p) {
@@ -98,8 +98,8 @@ double grid_bound(const ProjectedScene& scene) {
 
 }  // namespace
 
-StabilityRun run_stability(const StabilityFamily& family, double value, Arithmetic arithmetic) {
-  const StabilityScene scene = family.make(value);
+StabilityRun run_stability(const ExtremeFamily& family, double value, Arithmetic arithmetic) {
+  const FamilyScene scene = family.make(value);
   StabilityRun run;
   run.value = value;
   run.arithmetic = arithmetic;

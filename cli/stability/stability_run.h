@@ -13,7 +13,7 @@
 #include <array>
 #include <string>
 
-#include "cli/stability/stability_families.h"
+#include "cli/scene/extreme_families.h"
 #include "geometry/numbers/arithmetic.h"
 
 namespace sightline::cli {
@@ -33,6 +33,6 @@ struct StabilityRun {
   double seconds = 0;  // projection, sweep and polygons, the fastest of some
 };
 
-[[nodiscard]] StabilityRun run_stability(const StabilityFamily& family, double value, Arithmetic arithmetic);
+[[nodiscard]] StabilityRun run_stability(const ExtremeFamily& family, double value, Arithmetic arithmetic);
 
 }  // namespace sightline::cli

@@ -9,7 +9,9 @@ namespace sightline::cli {
 
 namespace {
 
-std::error_code exchange(const std::filesystem::path& a, const std::filesystem::path& b) {
+namespace fs = std::filesystem;
+
+std::error_code exchange(const fs::path& a, const fs::path& b) {
   if (renameat2(AT_FDCWD, a.c_str(), AT_FDCWD, b.c_str(), RENAME_EXCHANGE) == 0) return {};
   return {errno, std::generic_category()};
 }
@@ -17,6 +19,18 @@ std::error_code exchange(const std::filesystem::path& a, const std::filesystem::
 bool cannot_exchange(const std::error_code& error) {
   return error == std::errc::invalid_argument || error == std::errc::function_not_supported ||
          error == std::errc::operation_not_supported;
+}
+
+void carry_over_file(const fs::path& from, const fs::path& to) {
+  std::error_code error;
+  fs::create_hard_link(from, to, error);
+  if (error) fs::copy(from, to, fs::copy_options::copy_symlinks);
+}
+
+// A file of the results does not replace a folder with all that is in it.
+void carry_over_folder(const fs::path& from, const fs::path& to, bool is_there) {
+  if (!is_there) fs::create_directory(to, from);
+  carry_over_foreign_files(from, to);
 }
 
 }  // namespace
@@ -29,13 +43,13 @@ Replaced replace(const Replacement& replacement, std::error_code& error) {
 }
 
 Replaced replace_in_two_steps(const Replacement& replacement, std::error_code& error) {
-  std::filesystem::rename(replacement.place, replacement.aside, error);
+  fs::rename(replacement.place, replacement.aside, error);
   const bool was_there = !error;
   if (error && error != std::errc::no_such_file_or_directory) return Replaced::nothing;
-  std::filesystem::rename(replacement.fresh, replacement.place, error);
+  fs::rename(replacement.fresh, replacement.place, error);
   if (!error) return was_there ? Replaced::in_two_steps : Replaced::nothing;
   std::error_code ignored;
-  if (was_there) std::filesystem::rename(replacement.aside, replacement.place, ignored);
+  if (was_there) fs::rename(replacement.aside, replacement.place, ignored);
   return Replaced::nothing;
 }
 
@@ -58,12 +72,25 @@ void undo(const Replacement& replacement, Replaced replaced) {
     (void)exchange(replacement.fresh, replacement.place);
     return;
   }
-  std::filesystem::rename(replacement.place, replacement.fresh, ignored);
-  if (replaced == Replaced::in_two_steps) std::filesystem::rename(replacement.aside, replacement.place, ignored);
+  fs::rename(replacement.place, replacement.fresh, ignored);
+  if (replaced == Replaced::in_two_steps) fs::rename(replacement.aside, replacement.place, ignored);
 }
 
-const std::filesystem::path& old_one(const Replacement& replacement, Replaced replaced) {
+const fs::path& old_one(const Replacement& replacement, Replaced replaced) {
   return replaced == Replaced::at_once ? replacement.fresh : replacement.aside;
+}
+
+void carry_over_foreign_files(const fs::path& old_folder, const fs::path& new_folder) {
+  for (const fs::directory_entry& entry : fs::directory_iterator(old_folder)) {
+    const fs::path to = new_folder / entry.path().filename();
+    const bool is_folder = fs::is_directory(entry.symlink_status());
+    const bool is_replaced = fs::exists(fs::symlink_status(to));
+    if (is_folder) {
+      carry_over_folder(entry.path(), to, is_replaced);
+    } else if (!is_replaced) {
+      carry_over_file(entry.path(), to);
+    }
+  }
 }
 
 }  // namespace sightline::cli

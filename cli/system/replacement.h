@@ -1,4 +1,4 @@
-// Putting a finished folder or file where another one may be.
+// New results take the place of old ones.
 //
 // Where the file system can exchange two names (renameat2 with RENAME_EXCHANGE; most on Linux can), `place` is at each
 // moment one or the other. Where it cannot, or there was nothing at `place`, the fallback is two renames: then a
@@ -36,5 +36,12 @@ void undo(const Replacement& replacement, Replaced replaced);
 
 // Where the old one is afterwards. Precondition: there was one.
 [[nodiscard]] const std::filesystem::path& old_one(const Replacement& replacement, Replaced replaced);
+
+// What a user put into a folder of results, when new results take the folder's place: every entry of the old folder that
+// the new one has no entry of the same name for is carried over, so that it is never missing: files as hard links (the
+// same file, under both names for a moment), or copies where the file system has no hard links or forbids this one;
+// links as links; folders with their permissions and all that is in them.
+// Errors: std::filesystem::filesystem_error, and then the old folder is as it was.
+void carry_over_foreign_files(const std::filesystem::path& old_folder, const std::filesystem::path& new_folder);
 
 }  // namespace sightline::cli

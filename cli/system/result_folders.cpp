@@ -2,8 +2,6 @@
 
 #include <cerrno>
 
-#include "cli/system/foreign_files.h"
-
 namespace sightline::cli {
 
 namespace {

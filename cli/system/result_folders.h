@@ -6,7 +6,7 @@
 // in one step where the file system can do that (see replacement.h). publish() is one such step per name, and no catchable
 // signal comes between: only a kill or a power cut within these microseconds leaves some new and others old, each of them
 // whole.
-// Files in PARENT/NAME that are not written stay (see foreign_files.h), and so does everything else in PARENT. Old folders
+// Files in PARENT/NAME that are not written stay (see replacement.h), and so does everything else in PARENT. Old folders
 // and files hand their permissions on.
 // A PARENT/NAME that is no folder, and a PARENT/FILE that is no file, is refused; so are links to one, and one name for
 // both.
@@ -54,5 +54,25 @@ class ResultFolders {
   std::set<std::string> made_;   // the names whose folders have been made
   std::set<std::string> files_;  // beside them
 };
+
+// One such folder.
+class OutputFolder {
+ public:
+  // parent/name; parents are made where they are missing.
+  OutputFolder(const std::filesystem::path& parent, std::string name) : folders_(parent), name_(std::move(name)) {}
+
+  void write(const std::string& file, std::string_view content) { folders_.write(name_, file, content); }
+  void publish() { folders_.publish(); }
+
+ private:
+  ResultFolders folders_;
+  std::string name_;
+};
+
+// The folder at the path, however that is written: "results", "results/", "../a/.".
+[[nodiscard]] inline OutputFolder output_folder_at(const std::string& path) {
+  const auto place = std::filesystem::absolute(path + "/.").lexically_normal().parent_path();
+  return {place.parent_path(), place.filename().string()};
+}
 
 }  // namespace sightline::cli

@@ -8,29 +8,13 @@ namespace sightline::cli {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr int format_version = 1;
-
-template <class Tag>
-Json as_json(Id<Tag> id) {
-  return id.valid() ? Json(id.value) : Json(nullptr);
-}
-
-template <class Tag>
-Json as_json(const std::vector<Id<Tag>>& ids) {
-  Json list = Json::array();
-  for (const Id<Tag> id : ids) list.push_back(id.value);
-  return list;
-}
 
 // Of a segment: none is null.
 Json number_json(trace::SegmentNumber number) { return number == 0 ? Json(nullptr) : Json(number); }
 
 Json faces_json(const trace::SweepLog& log) {
-  Json faces = Json::array();
-  for (const std::string& name : log.face_names) faces.push_back({{"name", name}});
-  return faces;
+  return list_json(log.face_names, [](const std::string& name) -> Json { return {{"name", name}}; });
 }
 
 // Those in view, with their outlines after clipping.
@@ -103,15 +87,8 @@ Json predicate_json(const trace::LoggedPredicate& predicate) {
           {"formula", predicate.formula},
           {"operands", operands},
           {"sign", predicate.sign},
-          {"exact_sign", predicate.exact_sign ? Json(*predicate.exact_sign) : Json(nullptr)},
+          {"exact_sign", as_json(predicate.exact_sign)},
           {"decided_by", predicate.decided_by}};
-}
-
-template <class Items, class Convert>
-Json list_json(const Items& items, Convert convert) {
-  Json list = Json::array();
-  for (const auto& item : items) list.push_back(convert(item));
-  return list;
 }
 
 Json emitted_json(const trace::EmittedVertex& vertex) {

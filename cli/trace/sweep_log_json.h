@@ -4,10 +4,10 @@
 // edges and faces from 0, as in their lists.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <span>
 #include <string>
 
+#include "cli/results/json.h"
 #include "trace/sweep_log.h"
 
 namespace sightline::cli {
@@ -21,6 +21,6 @@ struct TracedScene {
 };
 
 // The sweep that was asked for first, and where its arithmetic is not exact the exact one after it.
-[[nodiscard]] nlohmann::ordered_json sweep_logs_json(const TracedScene& scene, std::span<const trace::SweepLog> sweeps);
+[[nodiscard]] Json sweep_logs_json(const TracedScene& scene, std::span<const trace::SweepLog> sweeps);
 
 }  // namespace sightline::cli

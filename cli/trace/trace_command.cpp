@@ -6,9 +6,8 @@
 #include <filesystem>
 
 #include "cli/analyze/view_analysis.h"
-#include "cli/options/camera_choice.h"
+#include "cli/options/camera_options.h"
 #include "cli/options/requests.h"
-#include "cli/pages/page_data.h"
 #include "cli/pages/page_template.h"
 #include "cli/scene/scene_file.h"
 #include "cli/system/durable_file.h"
@@ -39,7 +38,7 @@ std::string list_of_examples() {
 }
 
 Traced of_scene_file(const TraceOptions& options) {
-  const Scene scene = read_scene_file(*options.input);
+  const SceneDescription scene = read_scene_file(*options.input);
   const Camera& camera = options.camera ? camera_named(scene, *options.camera) : only_camera(scene);
   Progress silent(false);
   MeshInput input = read_mesh(scene.mesh_file, Normals::passed_over, default_memory_limit(), silent);
@@ -84,11 +83,6 @@ std::vector<trace::SweepLog> logs_of(const Traced& traced, const Precision& prec
   return logs;
 }
 
-// Names that are not UTF-8 are mended, as everywhere.
-std::string text_of(const nlohmann::ordered_json& json) {
-  return json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
-}
-
 // It appears at once (result_folders.h), in a folder that is there.
 void write_file(const std::string& path, std::string_view content) {
   const std::filesystem::path place = std::filesystem::absolute(path);
@@ -119,7 +113,7 @@ std::string trace_command(const TraceOptions& options) {
   const Traced traced = options.example ? of_example(*options.example) : of_scene_file(options);
   const std::vector<trace::SweepLog> logs = logs_of(traced, options.precision.value_or(traced.view.precision));
   const std::string json =
-      text_of(sweep_logs_json({traced.title, traced.what, traced.view.camera.name, traced.view.camera.aspect}, logs));
+      json_text(sweep_logs_json({traced.title, traced.what, traced.view.camera.name, traced.view.camera.aspect}, logs), 1);
   if (options.log) write_file(*options.log, json);
   if (options.output) write_file(*options.output, page_with_data(PageName::trace, packed(json)));
   return summary_of(logs, options);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cli/stability/stability_families.h"
+#include "cli/scene/extreme_families.h"
 #include "geometry/cutting/common_lines.h"
 #include "geometry/cutting/interpenetration.h"
 
@@ -131,9 +131,9 @@ TraceScene edge_on() {
 
 // In float, and whatever else is as the family has it.
 TraceScene float_in(const char* family_name, double value) {
-  const auto& all = stability_families();
+  const auto& all = extreme_families();
   const auto family = std::find_if(all.begin(), all.end(), [&](const auto& f) { return f.name == family_name; });
-  StabilityScene scene = family->make(value);
+  FamilyScene scene = family->make(value);
   trace::SceneNames names = letters_for(scene.mesh);
   return {uncrossed(std::move(scene.mesh)),
           scene.camera,

@@ -13,8 +13,6 @@
 
 namespace sightline::inline formats {
 
-constexpr const char* coverage_file = "coverage.csv";
-
 // `cameras` and `panels` are their names, as many as the coverage has.
 [[nodiscard]] std::string coverage_table(const Coverage& coverage, const std::vector<std::string>& cameras,
                                          const std::vector<std::string>& panels);

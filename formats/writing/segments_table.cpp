@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "formats/writing/place_texts.h"
+#include "formats/writing/window_points.h"
 
 namespace sightline::inline formats {
 

@@ -6,9 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "formats/writing/escaped_text.h"
 #include "formats/writing/face_shade.h"
-#include "formats/writing/html_text.h"
-#include "formats/writing/place_texts.h"
 #include "formats/writing/text_buffer.h"
 #include "formats/writing/window_points.h"
 

@@ -8,8 +8,8 @@
 #include <stdexcept>
 
 #include "cli/compare/compare_page.h"
-#include "cli/compare/compare_run.h"
 #include "cli/compare/compare_table.h"
+#include "cli/compare/comparison.h"
 #include "peers/peer_list.h"
 #include "tests/tools/command_runner.h"
 

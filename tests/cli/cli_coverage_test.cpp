@@ -141,9 +141,9 @@ TEST_CASE("a folder or a link called coverage.csv is refused before anything is 
   CHECK_FALSE(fs::exists(squares.out() / "left"));
 }
 
-TEST_CASE("no camera is called coverage.csv, in whatever letters") {
+TEST_CASE("no camera is called coverage.csv or report.html, in whatever letters") {
   const Squares squares;
-  for (const char* name : {"coverage.csv", "Coverage.CSV"}) {
+  for (const char* name : {"coverage.csv", "Coverage.CSV", "report.html", "REPORT.html"}) {
     const RunResult run = squares.run(squares.scene(Squares::camera(name, "1, 1")));
     CHECK(run.exit_code == 1);
     CHECK(run.err.find("scene.toml:4: the camera's name is that of a file beside the cameras' folders") !=

@@ -6,9 +6,6 @@
 #include <array>
 #include <cstring>
 
-#include "cli/pages/array_block.h"
-#include "cli/pages/face_borders.h"
-#include "cli/pages/page_data.h"
 #include "cli/pages/page_template.h"
 #include "cli/pages/report_page.h"
 #include "cli/pages/view_block.h"

@@ -5,8 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "cli/system/foreign_files.h"
-#include "cli/system/output_folder.h"
+#include "cli/system/result_folders.h"
 #include "tests/cli/result_snapshot.h"
 #include "tests/tools/command_runner.h"
 

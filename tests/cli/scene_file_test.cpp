@@ -59,7 +59,7 @@ TEST_CASE("a scene file gives the mesh, the sides and every form of camera") {
                            matrix_camera + "pixel_origin = \"center\"\n" +
                            "[[camera]]\nname = \"krt\"\nK = [[500, 0, 320], [0, 500, 240], [0, 0, 1]]\n"
                            "R = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\nt = [0, 0, 5]\nimage = [640, 480]\n";
-  const Scene scene = parse_scene(text, "dir/scene.toml");
+  const SceneDescription scene = parse_scene(text, "dir/scene.toml");
   CHECK(scene.file == "dir/scene.toml");
   CHECK(scene.mesh_file == "dir/a.obj");
   CHECK(scene.sides == SidesPolicy::front);
@@ -78,16 +78,16 @@ TEST_CASE("a scene file gives the mesh, the sides and every form of camera") {
 }
 
 TEST_CASE("sides are automatic where the file does not say, and an absolute mesh path stays") {
-  const Scene scene = parse_scene(with(good, "a.obj", "/meshes/a.obj"), "dir/scene.toml");
+  const SceneDescription scene = parse_scene(with(good, "a.obj", "/meshes/a.obj"), "dir/scene.toml");
   CHECK(scene.sides == SidesPolicy::automatic);
   CHECK(scene.mesh_file == "/meshes/a.obj");
 }
 
 TEST_CASE("panels have names, corners and sides that shine") {
   CHECK(parse_scene(good, "scene.toml").panels.empty());
-  const Scene scene = parse_scene(good + panel(square) + "[[panel]]\nname = \"right\"\ncorners = " + square +
-                                      "\nemits = \"front\"\n" + "[reflection]\nmode = \"exact\"\n",
-                                  "scene.toml");
+  const SceneDescription scene = parse_scene(good + panel(square) + "[[panel]]\nname = \"right\"\ncorners = " + square +
+                                                 "\nemits = \"front\"\n" + "[reflection]\nmode = \"exact\"\n",
+                                             "scene.toml");
   REQUIRE(scene.panels.size() == 2);
   CHECK(scene.panels[0].name == "left");
   CHECK(scene.panels[0].emits == Emits::both);

@@ -18,13 +18,13 @@ using namespace cli;
 
 namespace {
 
-const StabilityFamily& family(const std::string& name) {
-  const auto& all = stability_families();
-  return *std::find_if(all.begin(), all.end(), [&](const StabilityFamily& f) { return f.name == name; });
+const ExtremeFamily& family(const std::string& name) {
+  const auto& all = extreme_families();
+  return *std::find_if(all.begin(), all.end(), [&](const ExtremeFamily& f) { return f.name == name; });
 }
 
 // Returns some values of the parameter, both ends among them.
-std::vector<double> some_values(const StabilityFamily& f) {
+std::vector<double> some_values(const ExtremeFamily& f) {
   std::vector<double> values;
   for (std::size_t i = 0; i < f.values.size(); i += 4) values.push_back(f.values[i]);
   values.push_back(f.values.back());
@@ -69,14 +69,14 @@ TEST_CASE("the families: names, parameters, scenes of few faces of which no two 
   const std::set<std::string> wanted{"crossing_angle", "needle_width", "depth_gap",     "offset",
                                      "scale",          "far_near",     "field_of_view", "grid_bits"};
   std::set<std::string> names;
-  for (const StabilityFamily& f : stability_families()) {
+  for (const ExtremeFamily& f : extreme_families()) {
     CAPTURE(f.name);
     names.insert(f.name);
     CHECK(f.values.size() >= 10);
     CHECK(f.values.size() <= 25);
     for (const double value : f.values) {
       CAPTURE(value);
-      const StabilityScene scene = f.make(value);
+      const FamilyScene scene = f.make(value);
       CHECK(value > 0);
       CHECK(scene.mesh.face_count() >= 2);
       CHECK(scene.mesh.face_count() <= 12);
@@ -87,7 +87,7 @@ TEST_CASE("the families: names, parameters, scenes of few faces of which no two 
 }
 
 TEST_CASE("exact: every run is valid, and wrong by no more than the grid explains") {
-  for (const StabilityFamily& f : stability_families()) {
+  for (const ExtremeFamily& f : extreme_families()) {
     for (const double value : some_values(f)) {
       CAPTURE(f.name);
       CAPTURE(value);

@@ -12,7 +12,7 @@
 namespace sightline::extremes {
 
 ExtremeScene read_extreme(const std::string& name) {
-  const cli::Scene scene = cli::read_scene_file(SIGHTLINE_FIXTURES_DIR "/extremes/" + name + ".toml");
+  const cli::SceneDescription scene = cli::read_scene_file(SIGHTLINE_FIXTURES_DIR "/extremes/" + name + ".toml");
   return {read_obj(std::filesystem::path(scene.mesh_file)).mesh, scene.sides, scene.cameras};
 }
 

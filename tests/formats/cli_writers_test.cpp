@@ -12,7 +12,6 @@
 
 #include "cli/analyze/view_analysis.h"
 #include "cli/results/face_measures.h"
-#include "cli/results/faces_table.h"
 #include "cli/results/report.h"
 #include "cli/scene/scene_file.h"
 #include "cli/system/memory_limit.h"
@@ -38,7 +37,7 @@ double number(const std::string& text) {
 }
 
 struct Analysed {
-  Scene scene;
+  SceneDescription scene;
   MeshInput input;
   ViewAnalysis analysis;
   std::vector<FaceMeasures> faces;
@@ -277,16 +276,15 @@ TEST_CASE("a camera's name cannot break the SVG") {
 TEST_CASE("the report's sums are those of the faces, and what is seen and what is uncovered fill the window") {
   const Analysed fang_view = fang();
   const Report report = make_report(fang_view.scene, fang_view.input, fang_view.analysis, fang_view.faces, 0.5);
-  CHECK(report["counts"]["faces"]["visible"] == 2);
-  CHECK(report["counts"]["visible_polygons"] == 3);
-  CHECK(report["counts"]["visible_segments"] == 14);
-  CHECK(report["counts"]["crossings"] == 4);
-  CHECK(report["counts"]["holes"] == 0);
-  CHECK(report["areas"]["surface"] == pentagon + triangle);
-  CHECK(std::abs(report["areas"]["image_visible"].get<double>() + report["areas"]["image_uncovered"].get<double>() -
-                 4) <= 1e-12);
-  CHECK(report["times_s"]["write"] == 0.5);
-  CHECK(report["warnings"].empty());
+  CHECK(report.counts.faces.visible == 2);
+  CHECK(report.counts.visible_polygons == 3);
+  CHECK(report.counts.visible_segments == 14);
+  CHECK(report.counts.crossings == 4);
+  CHECK(report.counts.holes == 0);
+  CHECK(report.areas.surface == pentagon + triangle);
+  CHECK(std::abs(report.areas.image_visible + report.areas.image_uncovered - 4) <= 1e-12);
+  CHECK(report.seconds.write == 0.5);
+  CHECK(report.warnings.empty());
 }
 
 }  // namespace sightline::tests::cli_writers_test

@@ -18,9 +18,9 @@ using namespace peers;
 
 namespace {
 
-const StabilityFamily& family_named(std::string_view name) {
-  const auto& all = stability_families();
-  return *std::find_if(all.begin(), all.end(), [name](const StabilityFamily& family) { return family.name == name; });
+const ExtremeFamily& family_named(std::string_view name) {
+  const auto& all = extreme_families();
+  return *std::find_if(all.begin(), all.end(), [name](const ExtremeFamily& family) { return family.name == name; });
 }
 
 const Peer& peer_named(const std::vector<Peer>& all, std::string_view name) {
@@ -44,11 +44,11 @@ TEST_CASE("sweep peers err where the stability runs say so, and by as much") {
   const std::vector<Peer> peers = sweep_peers();
   int worse_than_grid = 0;
   for (const char* name : {"needle_width", "depth_gap"}) {
-    const StabilityFamily& family = family_named(name);
+    const ExtremeFamily& family = family_named(name);
     for (const double value : family.values) {
       CAPTURE(name);
       CAPTURE(value);
-      const StabilityScene made = family.make(value);
+      const FamilyScene made = family.make(value);
       REQUIRE(made.grid_bits == default_grid_bits);
       const MeshContacts contacts = find_contacts(made.mesh);
       const CutMesh mesh = cut_along_common_lines(Mesh(made.mesh), contacts);

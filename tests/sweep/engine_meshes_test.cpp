@@ -28,7 +28,7 @@ TEST_CASE("engines: fixtures") {
   std::size_t views = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(SIGHTLINE_FIXTURES_DIR)) {
     if (!is_scene(entry.path())) continue;
-    const Scene scene = read_scene_file(entry.path().string());
+    const SceneDescription scene = read_scene_file(entry.path().string());
     const Mesh whole = read_obj(std::filesystem::path(scene.mesh_file)).mesh;
     const MeshContacts contacts = find_contacts(whole);
     const CutMesh mesh = cut(whole);

@@ -1,6 +1,12 @@
-#include "cli/camera_options.h"
+#include "cli/options/camera_options.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
 
 #include "cli/options/option_values.h"
+#include "cli/options/requests.h"
 
 namespace sightline::cli {
 
@@ -31,6 +37,12 @@ void refuse_camera(const CameraTexts& texts) {
   }
 }
 
+std::string names_of_cameras(const SceneDescription& scene) {
+  std::string names;
+  for (const Camera& camera : scene.cameras) names += (names.empty() ? "" : ", ") + camera.name;
+  return names;
+}
+
 }  // namespace
 
 void declare_camera(CLI::App& command, CameraTexts& texts) {
@@ -47,6 +59,19 @@ std::optional<Camera> camera_of(const std::string& input, const CameraTexts& tex
   if (!is_scene_file(input)) return camera_for_mesh(texts);
   refuse_camera(texts);
   return std::nullopt;
+}
+
+const Camera& camera_named(const SceneDescription& scene, const std::string& name) {
+  const auto has_name = [&name](const Camera& camera) { return camera.name == name; };
+  const auto found = std::find_if(scene.cameras.begin(), scene.cameras.end(), has_name);
+  if (found == scene.cameras.end())
+    throw CommandLineError(fmt::format("--camera: the scene has no '{}'; it has {}", name, names_of_cameras(scene)));
+  return *found;
+}
+
+const Camera& only_camera(const SceneDescription& scene) {
+  if (scene.cameras.size() == 1) return scene.cameras.front();
+  throw CommandLineError("the scene has several cameras: choose one with --camera, of " + names_of_cameras(scene));
 }
 
 }  // namespace sightline::cli

@@ -1,4 +1,4 @@
-#include "cli/scene/camera_name.h"
+#include "cli/scene/result_names.h"
 
 namespace sightline::cli {
 
@@ -21,7 +21,7 @@ bool ends_with_one_of(std::string_view name, std::string_view set) { return set.
 
 }  // namespace
 
-std::optional<std::string> camera_name_defect(std::string_view name) {
+std::optional<std::string> name_defect(std::string_view name) {
   if (name.empty()) return "is empty";
   if (name.size() > longest_name) return "is longer than " + std::to_string(longest_name) + " bytes";
   if (has_control_character(name)) return "has a control character";
@@ -29,6 +29,11 @@ std::optional<std::string> camera_name_defect(std::string_view name) {
   if (begins_with_one_of(name, ".- ")) return "begins with a dot, a hyphen or a space";
   if (ends_with_one_of(name, ". ")) return "ends in a dot or a space";
   return std::nullopt;
+}
+
+bool is_file_beside_folders(std::string name) {
+  for (char& c : name) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return name == coverage_file || name == report_page_file;
 }
 
 }  // namespace sightline::cli

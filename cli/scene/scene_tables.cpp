@@ -1,11 +1,13 @@
-#include "cli/scene/camera_table.h"
+#include "cli/scene/scene_tables.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <string>
+#include <string_view>
 #include <vector>
 
-#include "cli/scene/camera_name.h"
-#include "formats/writing/coverage_table.h"
+#include "cli/scene/result_names.h"
 #include "geometry/numbers/errors.h"
 
 namespace sightline::cli {
@@ -25,17 +27,12 @@ std::string_view form_of(const TomlReader& table) {
   return found[0];
 }
 
-// Also where the file system, or the one that results are copied to, tells no capitals from small letters.
-bool is_coverage_file(std::string name) {
-  for (char& c : name) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return name == coverage_file;
-}
-
 std::string read_camera_name(const TomlReader& table) {
   const std::string name = table.text("name");
-  const auto defect = camera_name_defect(name);
+  const auto defect = name_defect(name);
   if (defect) table.fail("name", "the camera's name " + *defect + "; it becomes the name of a folder");
-  if (is_coverage_file(name)) table.fail("name", "the camera's name is that of a file beside the cameras' folders");
+  if (is_file_beside_folders(name))
+    table.fail("name", "the camera's name is that of a file beside the cameras' folders");
   return name;
 }
 
@@ -95,6 +92,46 @@ Camera read_calibrated(const TomlReader& table) {
   return calibrated_camera(name, k, r, t, read_image(table));
 }
 
+// A panel's name is a word in column names, group names and property names.
+std::string read_panel_name(const TomlReader& table) {
+  const std::string name = table.text("name");
+  if (const auto defect = name_defect(name)) table.fail("name", "the panel's name " + *defect);
+  const auto is_part_of_word = [](char c) { return c != ' ' && c != ',' && c != ';' && c != '#'; };
+  if (!std::ranges::all_of(name, is_part_of_word))
+    table.fail("name", "the panel's name has a space or one of , ; #; it becomes a part of column names");
+  return name;
+}
+
+Emits read_emits(const TomlReader& table) {
+  if (!table.has("emits")) return Emits::both;
+  const std::string emits = table.text("emits");
+  if (emits != "front" && emits != "both") table.fail("emits", "'emits' must be \"front\" or \"both\"");
+  return emits == "front" ? Emits::front : Emits::both;
+}
+
+ReflectionMode read_mode(const TomlReader& table) {
+  if (!table.has("mode")) return ReflectionMode::exact;
+  const std::string word = table.text("mode");
+  for (const ReflectionMode mode : {ReflectionMode::exact, ReflectionMode::triangles, ReflectionMode::smooth}) {
+    if (word == to_string(mode)) return mode;
+  }
+  table.fail("mode", "'mode' must be \"exact\", \"triangles\" or \"smooth\"");
+}
+
+MirrorNormals read_normals(const TomlReader& table) {
+  const std::string word = table.text("normals");
+  for (const MirrorNormals normals : {MirrorNormals::face, MirrorNormals::vertex}) {
+    if (word == to_string(normals)) return normals;
+  }
+  table.fail("normals", "'normals' must be \"face\" or \"vertex\"");
+}
+
+double read_tolerance(const TomlReader& table) {
+  const double tolerance = table.number("tolerance");
+  if (!(tolerance > 0 && tolerance < 1)) table.fail("tolerance", "'tolerance' must be between 0 and 1");
+  return tolerance;
+}
+
 }  // namespace
 
 Camera read_camera(const TomlReader& table) {
@@ -109,6 +146,31 @@ Camera read_camera(const TomlReader& table) {
   } catch (const CameraError& error) {
     table.fail(error.what());
   }
+}
+
+Panel read_panel(const TomlReader& table) {
+  table.allow_only({"name", "corners", "emits"});
+  Panel panel{read_panel_name(table), table.points("corners"), read_emits(table)};
+  try {
+    static_cast<void>(panel_mesh(panel));
+  } catch (const PanelError& error) {
+    table.fail("corners", error.what());
+  }
+  return panel;
+}
+
+ReflectionOptions read_reflection(const TomlReader& table) {
+  table.allow_only({"mode", "normals", "tolerance"});
+  ReflectionOptions options;
+  options.mode = read_mode(table);
+  const auto only_for = [&](const char* key, ReflectionMode mode) {
+    if (!table.has(key)) return false;
+    if (options.mode != mode) table.fail(key, fmt::format("'{}' is for mode \"{}\" only", key, to_string(mode)));
+    return true;
+  };
+  if (only_for("normals", ReflectionMode::triangles)) options.normals = read_normals(table);
+  if (only_for("tolerance", ReflectionMode::smooth)) options.tolerance = read_tolerance(table);
+  return options;
 }
 
 }  // namespace sightline::cli

@@ -1,4 +1,4 @@
-#include "cli/stability/stability_families.h"
+#include "cli/scene/extreme_families.h"
 
 #include <array>
 #include <cmath>
@@ -62,7 +62,7 @@ Camera of_layers(double scale, double offset) {
 }
 
 // Three pairs of triangles. In each pair the upper one's edge crosses the lower one's at the angle.
-StabilityScene crossing_angle(double angle) {
+FamilyScene crossing_angle(double angle) {
   constexpr std::array<Point3, 3> centres{{{-0.45, -0.35, 0}, {0.45, -0.3, 0}, {0.02, 0.45, 0}}};
   Draft draft;
   for (const double height : {0.0, 1.0}) {
@@ -80,7 +80,7 @@ StabilityScene crossing_angle(double angle) {
 }
 
 // A triangle behind eight needles that share a vertex.
-StabilityScene needle_width(double width) {
+FamilyScene needle_width(double width) {
   constexpr Point3 hub{0.013, -0.027, 1};
   Draft draft;
   draft.add({{-1.7, -1.2, 0}, {1.6, -1.3, 0}, {0.1, 1.9, 0}});
@@ -95,7 +95,7 @@ StabilityScene needle_width(double width) {
 }
 
 // Four faces in parallel steep planes, as far as rounded coordinates can be.
-StabilityScene depth_gap(double gap) {
+FamilyScene depth_gap(double gap) {
   const std::vector<std::vector<Point2>> outlines{{{-0.533, -0.364}, {0.541, -0.438}, {0.011, 0.531}},
                                                   {{-0.354, -0.433}, {0.441, 0.086}, {-0.26, 0.357}},
                                                   {{-0.182, -0.265}, {0.442, -0.176}, {0.178, 0.437}},
@@ -111,13 +111,13 @@ StabilityScene depth_gap(double gap) {
   return {draft.mesh(), pinhole({-4.1, -2.2, 1.9}, {0, 0, 0}, 40)};
 }
 
-StabilityScene offset(double distance) { return {layers(1, distance), of_layers(1, distance)}; }
+FamilyScene offset(double distance) { return {layers(1, distance), of_layers(1, distance)}; }
 
-StabilityScene scale(double factor) { return {layers(factor, 0), of_layers(factor, 0)}; }
+FamilyScene scale(double factor) { return {layers(factor, 0), of_layers(factor, 0)}; }
 
 // A floor from before the near plane to beyond the far one; far away two tilted faces, one unit apart; a triangle near
 // the eye.
-StabilityScene far_near(double ratio) {
+FamilyScene far_near(double ratio) {
   const double far = ratio;
   const auto tilted = [far](double x, double y, double nearer) {
     return Point3{far * x, far * y, nearer - far * (0.75 + 0.23 * x + 0.11 * y)};
@@ -132,7 +132,7 @@ StabilityScene far_near(double ratio) {
 }
 
 // The same layers, flatter the nearer the eye has to come to see them: half the window is one unit wide.
-StabilityScene field_of_view(double half_window) {
+FamilyScene field_of_view(double half_window) {
   const double distance = 1 / half_window;
   const double thickness = std::min(1.0, distance) / 8;
   Draft draft;
@@ -144,9 +144,7 @@ StabilityScene field_of_view(double half_window) {
   return {draft.mesh(), pinhole({0.25 * distance, 0.125 * distance, distance}, {0, 0, 0}, degrees)};
 }
 
-StabilityScene grid_bits(double spacing) {
-  return {layers(1, 0), of_layers(1, 0), static_cast<int>(-std::log2(spacing))};
-}
+FamilyScene grid_bits(double spacing) { return {layers(1, 0), of_layers(1, 0), static_cast<int>(-std::log2(spacing))}; }
 
 std::vector<double> fields_of_view() {
   std::vector<double> values;
@@ -168,8 +166,8 @@ std::vector<double> scales() {
 
 }  // namespace
 
-const std::vector<StabilityFamily>& stability_families() {
-  static const std::vector<StabilityFamily> families{
+const std::vector<ExtremeFamily>& extreme_families() {
+  static const std::vector<ExtremeFamily> families{
       {"crossing_angle", "Crossing angle", "angle between the edges in the image, radians",
        "Three pairs of triangles seen by parallel rays; in each pair the upper one's edge crosses the lower one's at "
        "this angle, so that they overlap in a wedge.",

@@ -1,4 +1,5 @@
-// The scenes of `sightline stability`: families with one parameter that goes to its extreme.
+// Families of scenes with one parameter that goes to its extreme: what `sightline stability` runs, and `sightline trace`
+// has some examples of.
 //
 // Out: for each family its words for the page, the parameter's values in order towards the extreme (all positive, for a
 //      logarithmic axis), and the scene for a value.
@@ -15,21 +16,21 @@
 
 namespace sightline::cli {
 
-struct StabilityScene {
+struct FamilyScene {
   Mesh mesh;
   Camera camera;
   int grid_bits = default_grid_bits;
 };
 
-struct StabilityFamily {
+struct ExtremeFamily {
   std::string name;  // of its files
   std::string title;
   std::string parameter;  // the axis' label
   std::string scene;      // what is in the scene, and what the parameter does
   std::vector<double> values;
-  StabilityScene (*make)(double value);
+  FamilyScene (*make)(double value);
 };
 
-[[nodiscard]] const std::vector<StabilityFamily>& stability_families();
+[[nodiscard]] const std::vector<ExtremeFamily>& extreme_families();
 
 }  // namespace sightline::cli
