@@ -1,6 +1,6 @@
 // Mesh and camera in, everything sightline knows about the view out: the stages, one after the other.
 //
-// Source: DESIGN.md section 2. Errors: InternalError; in float and double ArithmeticError instead.
+// Source: docs/design.md, section 2. Errors: InternalError; in float and double ArithmeticError instead.
 #pragma once
 
 #include "geometry/mesh/mesh.h"

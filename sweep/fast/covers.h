@@ -19,7 +19,7 @@
 //      Of one surface all facets are hidden or none, so that all edges that may carry its segments are there.
 // Complexity: O(n + pairs of a facet and a cell that it touches), in each cell the sheets over its centre, sorted, and the
 //      pairs of what is in front and what is no deeper than the cover.
-// Source: DESIGN.md section 8, idea 2. Rejected: to call hidden what continues, within the cell, a facet that is behind the
+// Source: docs/design.md, section 8, idea 2. Rejected: to call hidden what continues, within the cell, a facet that is behind the
 // cover over its centre. That holds in space, and not in the rounded image, where slivers may overlap on the wrong side.
 #pragma once
 

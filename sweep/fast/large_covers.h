@@ -7,7 +7,7 @@
 //      are (node_list.h), and the nearest cover of a cell is never hidden itself.
 // Complexity: O(n log n) and the cells that facets touch which are not hidden; for the others mostly a few tiles, each of
 //      many cells. So of a deep pile of facets most cost one look.
-// Source: DESIGN.md section 8, idea 2; Greene, Kass and Miller 1993 (a hierarchy of depths).
+// Source: docs/design.md, section 8, idea 2; Greene, Kass and Miller 1993 (a hierarchy of depths).
 #pragma once
 
 #include <vector>

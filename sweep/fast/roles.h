@@ -5,7 +5,7 @@
 // Holds: in the cells that a plain facet touches there is one sheet of facets that may be seen, and no contour edge of
 //      these; so all of it is seen, and its neighbours are seen along its edges.
 // Complexity: O(n) and the cells that contour edges touch.
-// Source: DESIGN.md section 8, idea 1.
+// Source: docs/design.md, section 8, idea 1.
 #pragma once
 
 #include <vector>
