@@ -1,4 +1,4 @@
-// Scene files (TOML): which mesh, the cameras, and the panels. The README describes the format.
+// Scene files (TOML): which mesh, the cameras, and the panels. docs/scene-files.md describes the format.
 //
 // In:  the path of a scene file. Out: a Scene; paths in the file are relative to the file's folder.
 // Errors: InputError with file and line: no such file, more than 64 MiB, TOML that does not parse, a line with more than

@@ -1,4 +1,4 @@
-// coverage.csv: what cameras and panels cover, each for itself and together (coverage.h in reflect/).
+// coverage.csv: what cameras and panels cover, each for itself and together (coverage/coverage.h).
 //
 // A row's face, camera and panel say what it is about; an empty field means all of them. First in all: each camera with
 // each panel, each camera, each panel, everything. Then everything per face, in file order, index from 0.
