@@ -2,7 +2,7 @@
 //
 //     build/release/bench/sightline_memory MODEL.obj...      (without a model: generated scenes)
 //
-// The constants of cli/memory_estimate.cpp come from here. A stage's peak is VmHWM, reset before it (Linux).
+// The constants of cli/analyze/memory_estimate.cpp come from here. A stage's peak is VmHWM, reset before it (Linux).
 
 #include <cstdio>
 #include <functional>

@@ -4,7 +4,7 @@
 // Out: the triangles of their convex hull, counter-clockwise, none degenerate: no point is inside the circle through a
 //      triangle's corners, exactly. None where all points are on one line. Of several triangulations through points on
 //      one circle it is always the same one for the same points.
-// Complexity: that of reconstruct/constrained_delaunay.h without constraints.
+// Complexity: that of reconstruct/triangulation/constrained_delaunay.h without constraints.
 // Errors: none.
 #pragma once
 

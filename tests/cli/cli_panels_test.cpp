@@ -14,7 +14,7 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-// The mirror of tests/reflection_test.cpp, in two triangles: the panel "left" is mirrored in the unit square around the
+// The mirror of tests/reflect/reflection_test.cpp, in two triangles: the panel "left" is mirrored in the unit square around the
 // origin, half of it in each triangle; the panel "dark" shows its back.
 struct Results : TemporaryFolder {
   Results() {

@@ -1,7 +1,7 @@
 // What rays through the centres of pixels see, exactly: what image-precision peers are held against.
 //
 // In:  a mesh and its projected scene; a resolution that is a power of two, so that centres are grid points.
-// Out: the nearest facet's face per pixel, at equal depth the lower face index (tests/oracle/ray_caster.h).
+// Out: the nearest facet's face per pixel, at equal depth the lower face index (oracle/judging/ray_caster.h).
 #pragma once
 
 #include <vector>
