@@ -3,8 +3,8 @@
 // In:  a mesh, its projected scene with depth ranges, where the surface continues, the facets that are known to be hidden, a
 //      grid of cells and the cells of the other facets.
 // Out: per facet whether it is certainly hidden; not all hidden facets are found. Per cell whether it has one sheet: if no
-//      contour edge of what may be seen touches such a cell, then the facets that touch it and may be seen all continue each
-//      other, and all that is of them in the cell is seen.
+//      contour edge of what may be seen touches such a cell, then all that is seen in it are facets that continue each other,
+//      and all that is of them in the cell is seen.
 // A cover of a cell is a set of facets that continue each other and cover the cell without a contour edge in it. In front in
 // the cell are the cover's facets, and whatever is neither deeper than all of the cover nor behind everything in front that
 // it overlaps. A surface is hidden where none of its facets is in front in any cell.
