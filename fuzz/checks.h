@@ -1,5 +1,5 @@
-// What a fuzzer asks of sightline, a function per target. libFuzzer calls them with inputs that it makes up
-// (target.cpp), the tests with every file of corpus/ (tests/fuzz/fuzz_corpus_test.cpp).
+// What a fuzzer asks of sightline, a function per target. libFuzzer calls them with inputs that it makes up (target.cpp),
+// the tests with every file of corpus/ (tests/fuzz/fuzz_corpus_test.cpp).
 //
 // In:  any bytes. Out: nothing; the call returns.
 // Errors: Finding where a promise of sightline is broken: what() says which. Any other exception is a finding as well.

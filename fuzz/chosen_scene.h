@@ -1,5 +1,4 @@
-// A scene chosen by bytes: any faces at all on a lattice, unlike the random scenes of tests/oracle, which keep
-// promises.
+// A scene chosen by bytes: any faces at all on a lattice, unlike the random scenes of oracle/scenes, which keep promises.
 //
 // In:  any bytes. Out: a scene of at most eight faces; what its corners are is in the bytes, what its camera is in the
 //      first two of them. Faces may be degenerate, repeat each other, and pass through each other.

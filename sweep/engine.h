@@ -9,7 +9,7 @@
 // An observer is called for all bands, by one thread at a time, and sees their points in no order of its own.
 // Complexity: O(n log n), the pairs of a facet and a cell that it touches, and the sweep of what is left.
 // Errors: as the sweep.
-// Source: docs/how-it-works.md, "Sweeping only what the scene requires".
+// Source: docs/design.md, section 8.
 #pragma once
 
 #include <cstdint>

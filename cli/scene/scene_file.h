@@ -1,4 +1,4 @@
-// What the command is asked to analyse, and scene files (TOML), which say it; the README describes the format.
+// Scene files (TOML): which mesh, the cameras, and the panels. docs/scene-files.md describes the format.
 //
 // In:  the path of a scene file. Out: a SceneDescription; paths in the file are relative to the file's folder.
 // Errors: InputError with file and line: no such file, more than 64 MiB, TOML that does not parse, a line with more than

@@ -2,7 +2,7 @@
 //
 // Holds: names are distinct words; no two facets of a mesh pass through each other (they are cut); a scene whose
 //      arithmetic is not exact is to be shown beside the exact one.
-// Source: Fang 1993, section 5.3 (the scene `fang`); cli/scene/extreme_families.h (those in float).
+// Source: Fang 1993, section 5.3 (the scene `fang`); stability_families.h (those in float).
 #pragma once
 
 #include <string>

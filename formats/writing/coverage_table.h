@@ -1,4 +1,4 @@
-// coverage.csv says what cameras and panels cover, each for itself and together (coverage/coverage.h).
+// coverage.csv: what cameras and panels cover, each for itself and together (coverage/coverage.h).
 //
 // A row's face, camera and panel say what it is about; an empty field means all of them. The first rows are of all
 // faces: each camera with each panel, each camera, each panel, everything. Then everything follows per face, in file

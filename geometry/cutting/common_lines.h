@@ -8,7 +8,7 @@
 //      vertex lies inside an edge that runs along the line it was made on.
 //      The result does not depend on the order of faces, but for numbering.
 // Complexity: O(c log c) for c crossing pairs and the pieces they make, in integers of any size.
-// Source: docs/how-it-works.md, "Facets that pass through each other".
+// Source: docs/design.md, section 4, "faces that interpenetrate".
 // Rejected: an edge at whose crossing two facets swap in the node list. Its ends are rounded, and where they miss the
 // facets' rounded borders by less than the grid, the order around them has no consistent answer. Pieces have closed
 // borders wherever their corners are rounded to, so the sweep needs to know nothing of common lines.

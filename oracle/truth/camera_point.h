@@ -1,9 +1,9 @@
 // The input is taken to the camera's homogeneous coordinates, exactly.
 //
 // With one unit for all input coordinates and one for the camera's rows, both powers of two, everything becomes whole
-// numbers over a common factor: a vertex v is (X, Y, N, W), with X, Y, W as in geometry/projection/camera.h. N / W is
-// its nearness, the larger the nearer: 1 / W of the camera for a pinhole, minus the depth for an orthographic camera.
-// Over a plane it is an affine function of the place in the image.
+// numbers over a common factor: a vertex v is (X, Y, N, W), with X, Y, W as in camera.h. N / W is its nearness,
+// the larger the nearer: 1 / W of the camera for a pinhole, minus the depth for an orthographic camera. Over a plane it
+// is an affine function of the place in the image.
 #pragma once
 
 #include <vector>

@@ -5,10 +5,10 @@
 // Holds: a place is covered if it is not left of an edge that goes down at its height, and left of those that go up; an
 //      edge has its lower end's height and not its upper end's. So a centre on an edge counts as if it were shifted to
 //      the right, and less far up, by less than any number: of polygons that share an edge one, and only one, has the
-//      centres on it, and corners need no rule of their own. The orientations are exact
-//      (geometry/numbers/predicates.h), for the centres as doubles have them. Only edges at the place's height are
-//      asked: the image's grid has bent outlines by less than its spacing, and the line through a very short edge may
-//      lead anywhere. Polygons that the grid has flattened or turned over cover nothing.
+//      centres on it, and corners need no rule of their own. The orientations are exact (predicates.h), for the
+//      centres as doubles have them. Only edges at the place's height are asked: the image's grid has bent outlines by
+//      less than its spacing, and the line through a very short edge may lead anywhere. Polygons that the grid has
+//      flattened or turned over cover nothing.
 // Complexity: covers() O(k) for k corners, columns_covered() O(k + log resolution).
 // Errors: none.
 // Source: slides 001 ("for each pixel in the projection of A") and 003 (point and polygon); both leave open who has the

@@ -7,7 +7,7 @@
 //   - every segment is in exactly one ring;
 //   - the polygons of one face do not overlap; those of a face whose corners are not in one plane stay within one
 //     facet each. A polygon with 2 * area / perimeter below one grid spacing is below resolution: it is listed, but
-//     its face is not called visible for it (README.md, "How exact").
+//     its face is not called visible for it (docs/design.md, section 3).
 // Complexity: O(m log m) for m segments.
 // Errors: InternalError; in float and double (scene.arithmetic) ArithmeticError instead.
 // Source: Fang 1993, section 5.3.1, "Polygon Reconstruction".

@@ -6,7 +6,7 @@
 //      the band's open facets touch, so what it says of these is right, and nothing has to be joined at the bands'
 //      borders: a facet that reaches into several bands is swept whole in one.
 // Complexity: O(n) and the cells that facets touch.
-// Source: docs/how-it-works.md, "Bands". Rejected: sweeps that start at a line from the edges that cross it; what is
+// Source: docs/design.md, section 8, idea 3. Rejected: sweeps that start at a line from the edges that cross it; what is
 // open there has to be found first, and segments that cross the line have to be joined.
 #pragma once
 

@@ -9,7 +9,7 @@
 //      degenerate, and turns as the facet does. So the facets that continue each other cover what they cover of the
 //      image once.
 // Complexity: O(n).
-// Source: docs/how-it-works.md, "What nothing comes near is seen whole".
+// Source: docs/design.md, section 8, idea 1.
 #pragma once
 
 #include <cstdint>

@@ -1,28 +1,23 @@
 // Facets hidden behind others, cell by cell.
 //
-// In:  a mesh, its projected scene with depth ranges, where the surface continues, the facets that are known to be
-//      hidden, a grid of cells and the cells of the other facets.
-// Out: per facet whether it is certainly hidden; not all hidden facets are found. Per cell whether it has one sheet: if
-//      no contour edge of what may be seen touches such a cell, then the facets that touch it and may be seen all
-//      continue each other, and all that is of them in the cell is seen.
-// A cover of a cell is a set of facets that continue each other and cover the cell without a contour edge in it. In
-// front in the cell are the cover's facets, and whatever is neither deeper than all of the cover nor behind everything
-// in front that it overlaps. A surface is hidden where none of its facets is in front in any cell.
-// Holds: leaving the hidden facets out changes no topmost facet (node_list.h), whatever the order of depth says. At a
-//      place in a cell let A be the facets over it, and R those of A that are in range: none of A ends before they
-//      begin. Leave out D, what is deeper than all of the cover, and B, what is behind all in front. A cover's facet is
-//      over the place and less deep than D, so D has nothing in R, and R is the same without it. What is in front and
-//      in A is nearer than each of B: none of B is in the top cycle of R. For that it takes a facet in front that is in
-//      R: the one that ends the least deep is, or else it is in B, and the cover's facet there is nearer than it and so
-//      in R, too. Nor does R gain one that counts where B is missing: what is deeper than all of one of B is not nearer
-//      than it, so it is not in front. So also where facets overlap in the rounded image only, and their order is no
-//      order.
-//      Of one surface all facets are hidden or none, so that all edges that may carry its segments are there.
-// Complexity: O(n + pairs of a facet and a cell that it touches), in each cell the sheets over its centre, sorted, and
-//      the pairs of what is in front and what is no deeper than the cover.
-// Source: docs/how-it-works.md, "What is hidden is left out". Rejected: to call hidden what continues, within the cell,
-// a facet that is behind the cover over its centre. That holds in space, and not in the rounded image, where slivers
-// may overlap on the wrong side.
+// In:  a mesh, its projected scene with depth ranges, where the surface continues, the facets that are known to be hidden, a
+//      grid of cells and the cells of the other facets.
+// Out: per facet whether it is certainly hidden; not all hidden facets are found. Per cell whether it has one sheet: if no
+//      contour edge of what may be seen touches such a cell, then all that is seen in it are facets that continue each other,
+//      and all that is of them in the cell is seen.
+// A cover of a cell is a set of facets that continue each other and cover the cell without a contour edge in it. In front in
+// the cell are the cover's facets, and whatever is neither deeper than all of the cover nor behind everything in front that
+// it overlaps. A surface is hidden where none of its facets is in front in any cell.
+// Holds: leaving the hidden facets out changes no top cycle and no topmost facet (node_list.h), whatever the order of depth
+//      says: docs/covers.md has the proof, in lemmas. What is deeper than all of the cover is out of range (lemma 6); what is
+//      behind all in front is in no top cycle (lemma 7), nor does anything that is in front come into range without it (the
+//      theorem). So also where facets overlap in the rounded image only, and their order is no order.
+//      What is said of one sheet holds where the cover covers the cell once (lemmas 9 to 11), which is not asked.
+//      Of one surface all facets are hidden or none, so that all edges that may carry its segments are there (lemma 8).
+// Complexity: O(n + pairs of a facet and a cell that it touches), in each cell the sheets over its centre, sorted, and the
+//      pairs of what is in front and what is no deeper than the cover.
+// Source: docs/design.md, section 8, idea 2. Rejected: to call hidden what continues, within the cell, a facet that is behind
+// the cover over its centre. That holds in space, and not in the rounded image, where slivers may overlap on the wrong side.
 #pragma once
 
 #include <vector>

@@ -3,10 +3,10 @@
 // In:  a mesh, its projected scene, where the surface continues, what covers hide, a grid of cells and the cells of
 //      facets.
 // Out: per facet its role.
-// Holds: in the cells that a plain facet touches there is one sheet of facets that may be seen, and no contour edge of
-//      these; so all of it is seen, and its neighbours are seen along its edges.
+// Holds: in the cells that a plain facet touches one sheet is seen, its own, and no contour edge of what may be seen is
+//      there; so all of it is seen, and its neighbours are seen along its edges (docs/covers.md, lemma 11).
 // Complexity: O(n) and the cells that contour edges touch.
-// Source: docs/how-it-works.md, "What nothing comes near is seen whole".
+// Source: docs/design.md, section 8, idea 1.
 #pragma once
 
 #include <vector>

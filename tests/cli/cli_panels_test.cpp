@@ -14,8 +14,8 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-// This is the mirror of tests/reflect/reflection_test.cpp, in two triangles: the panel "left" is mirrored in the unit
-// square around the origin, half of it in each triangle; the panel "dark" shows its back.
+// The mirror of tests/reflect/reflection_test.cpp, in two triangles: the panel "left" is mirrored in the unit square around the
+// origin, half of it in each triangle; the panel "dark" shows its back.
 struct Results : TemporaryFolder {
   Results() {
     static_cast<void>(file("floor.obj", "v -8 -8 0\nv 8 -8 0\nv 8 8 0\nv -8 8 0\nf 1 2 3\nf 1 3 4\n"));
