@@ -10,7 +10,7 @@ Point3 place_of(const Mesh& mesh, const ProjectedScene& scene, const ClippedCorn
   const Camera& camera = scene.camera;
   const double z = camera.projection == Projection::perspective
                        ? -1 / weight_of(scene, corner)
-                       : dot(camera.forward, position_of(mesh, scene, corner) - camera.origin);
+                       : camera.forward.dot(position_of(mesh, scene, corner) - camera.origin);
   return {std::ldexp(static_cast<double>(image.x), -scene.grid_bits),
           std::ldexp(static_cast<double>(image.y), -scene.grid_bits), z};
 }

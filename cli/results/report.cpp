@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t listed_faces = 100;
 
-Report as_json(const Vector3& v) { return {v.x, v.y, v.z}; }
+Report as_json(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
 
 Report as_json(const std::optional<double>& value) { return value ? Report(*value) : Report(nullptr); }
 
@@ -32,7 +32,7 @@ Report camera_part(const Camera& camera) {
       {"kind", camera.projection == Projection::perspective ? "perspective" : "orthographic"},
       {"rows", {{"right", as_json(camera.right)}, {"up", as_json(camera.up)}, {"forward", as_json(camera.forward)}}},
       {"origin", as_json(camera.origin)},
-      {"eye", {eye.x, eye.y, eye.z, camera.eye.w}},
+      {"eye", {eye.x(), eye.y(), eye.z(), camera.eye.w}},
       {"near", as_json(camera.near_distance)},
       {"far", as_json(camera.far_distance)},
       {"aspect", camera.aspect}};

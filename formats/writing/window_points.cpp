@@ -15,8 +15,8 @@ std::vector<Point2> window_points(const View& view) {
 
 Point2 window_place(const Camera& camera, const Point3& p) {
   const Vector3 from_origin = p - camera.origin;
-  const double depth = camera.projection == Projection::perspective ? dot(camera.forward, from_origin) : 1;
-  return {dot(camera.right, from_origin) / depth, dot(camera.up, from_origin) / depth};
+  const double depth = camera.projection == Projection::perspective ? camera.forward.dot(from_origin) : 1;
+  return {camera.right.dot(from_origin) / depth, camera.up.dot(from_origin) / depth};
 }
 
 }  // namespace sightline::inline formats

@@ -12,7 +12,7 @@ class CommonScale {
  public:
   CommonScale(const Camera& camera, std::span<const Point3> vertices) {
     std::vector<double> values{1.0};
-    const auto add = [&values](const Vector3& v) { values.insert(values.end(), {v.x, v.y, v.z}); };
+    const auto add = [&values](const Vector3& v) { values.insert(values.end(), {v.x(), v.y(), v.z()}); };
     for (const Vector3& v : {camera.right, camera.up, camera.forward, camera.origin}) add(v);
     for (const Point3& v : vertices) add(v);
     lowest_ = exponent_range(values).lowest;
@@ -28,11 +28,11 @@ class CommonScale {
 // (x, y, z, w), so that they share the factor `one`.
 ExactCorner homogeneous(const BigInteger& x, const BigInteger& y, const BigInteger& z, const BigInteger& w,
                         const Camera& camera, const CommonScale& scale) {
-  const BigInteger dx = x - scale(camera.origin.x) * w;
-  const BigInteger dy = y - scale(camera.origin.y) * w;
-  const BigInteger dz = z - scale(camera.origin.z) * w;
+  const BigInteger dx = x - scale(camera.origin.x()) * w;
+  const BigInteger dy = y - scale(camera.origin.y()) * w;
+  const BigInteger dz = z - scale(camera.origin.z()) * w;
   const auto form = [&](const Vector3& row) {
-    return BigInteger(scale(row.x) * dx + scale(row.y) * dy + scale(row.z) * dz);
+    return BigInteger(scale(row.x()) * dx + scale(row.y()) * dy + scale(row.z()) * dz);
   };
   const BigInteger unit = scale(1.0);
   ExactCorner corner;
@@ -48,7 +48,7 @@ ExactCorner homogeneous(const BigInteger& x, const BigInteger& y, const BigInteg
 }
 
 ExactCorner homogeneous(const Point3& v, const Camera& camera, const CommonScale& scale) {
-  return homogeneous(scale(v.x), scale(v.y), scale(v.z), 1, camera, scale);
+  return homogeneous(scale(v.x()), scale(v.y()), scale(v.z()), 1, camera, scale);
 }
 
 // A vertex of the input, or one that cutting made.

@@ -18,7 +18,7 @@ struct RealVector {
 
 template <class Real>
 RealVector<Real> rounded_vector(const Vector3& v) {
-  return {rounded<Real>(v.x), rounded<Real>(v.y), rounded<Real>(v.z)};
+  return {rounded<Real>(v.x()), rounded<Real>(v.y()), rounded<Real>(v.z())};
 }
 
 template <class Real>

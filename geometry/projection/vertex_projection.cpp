@@ -20,9 +20,9 @@ struct Bounded {
 // underflow costs less than 2^-1000, which is added.
 Bounded linear_form_value(const Vector3& row, const Point3& v, const Point3& origin) {
   const Vector3 d = v - origin;
-  const double x = row.x * d.x;
-  const double y = row.y * d.y;
-  const double z = row.z * d.z;
+  const double x = row.x() * d.x();
+  const double y = row.y() * d.y();
+  const double z = row.z() * d.z();
   return {(x + y) + z, 6 * unit_roundoff * ((std::fabs(x) + std::fabs(y)) + std::fabs(z)) + 0x1p-1000};
 }
 

@@ -137,7 +137,7 @@ class Propagation {
 };
 
 bool is_within_bounds(const Camera& camera, const Point3& p) {
-  const double distance = dot(camera.forward, p - camera.origin);
+  const double distance = camera.forward.dot(p - camera.origin);
   return (!camera.near_distance || distance >= *camera.near_distance) &&
          (!camera.far_distance || distance <= *camera.far_distance);
 }

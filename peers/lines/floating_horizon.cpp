@@ -76,8 +76,8 @@ class Drawing {
   [[nodiscard]] Point2 image_of(VertexId vertex) const {
     const Camera& camera = scene_.projected->camera;
     const Vector3 from_origin = scene_.mesh->position(vertex) - camera.origin;
-    const double w = camera.projection == Projection::perspective ? dot(camera.forward, from_origin) : 1;
-    return {dot(camera.right, from_origin) / w, dot(camera.up, from_origin) / w};
+    const double w = camera.projection == Projection::perspective ? camera.forward.dot(from_origin) : 1;
+    return {camera.right.dot(from_origin) / w, camera.up.dot(from_origin) / w};
   }
 
   [[nodiscard]] std::vector<Point2> image_of(const std::vector<VertexId>& polyline) const {

@@ -18,14 +18,14 @@ constexpr auto no_order =
     "the eye is above the height field, or looks along its polylines: these have no order from front to back";
 
 bool is_upright(const Camera& camera, int height_axis) {
-  if (coordinate(camera.right, height_axis) != 0) return false;
-  return camera.projection == Projection::orthographic || coordinate(camera.forward, height_axis) == 0;
+  if (camera.right[height_axis] != 0) return false;
+  return camera.projection == Projection::orthographic || camera.forward[height_axis] == 0;
 }
 
 bool is_before_eye(const Mesh& mesh, const HeightGrid& grid, const Camera& camera) {
   if (camera.projection == Projection::orthographic) return true;
   return std::all_of(grid.vertices.begin(), grid.vertices.end(),
-                     [&](VertexId v) { return dot(camera.forward, mesh.position(v) - camera.origin) > 0; });
+                     [&](VertexId v) { return camera.forward.dot(mesh.position(v) - camera.origin) > 0; });
 }
 
 // `constant`: which of the ground axes is constant on a polyline.
@@ -38,7 +38,7 @@ struct Order {
 std::optional<Order> order_of(const Camera& camera, const HeightGrid& grid) {
   const bool is_far_away = camera.projection == Projection::orthographic;
   for (const std::size_t constant : {std::size_t{0}, std::size_t{1}}) {
-    const double eye = coordinate(camera.eye.xyz, grid.ground_axes[constant]);
+    const double eye = camera.eye.xyz[grid.ground_axes[constant]];
     if (eye < (is_far_away ? 0 : grid.values[constant].front())) return Order{constant, true};
     if (eye > (is_far_away ? 0 : grid.values[constant].back())) return Order{constant, false};
   }

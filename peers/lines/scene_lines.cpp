@@ -22,9 +22,9 @@ struct CameraPoint {
 
 CameraPoint in_camera(const Camera& camera, const Point3& p) {
   const Vector3 from_origin = p - camera.origin;
-  const double distance = dot(camera.forward, from_origin);
+  const double distance = camera.forward.dot(from_origin);
   const double w = camera.projection == Projection::perspective ? distance : 1;
-  return {dot(camera.right, from_origin), dot(camera.up, from_origin), w, distance};
+  return {camera.right.dot(from_origin), camera.up.dot(from_origin), w, distance};
 }
 
 double mixed(double a, double b, double t) { return a + t * (b - a); }

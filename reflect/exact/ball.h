@@ -68,9 +68,10 @@ struct Ball {
 
 using BallVector = std::array<Ball, 3>;
 
-[[nodiscard]] inline BallVector exactly(const Vector3& v) { return {exactly(v.x), exactly(v.y), exactly(v.z)}; }
+[[nodiscard]] inline BallVector exactly(const Vector3& v) { return {exactly(v.x()), exactly(v.y()), exactly(v.z())}; }
 [[nodiscard]] inline BallVector ball_around(const Box& box) {
-  return {ball_around(box.low.x, box.high.x), ball_around(box.low.y, box.high.y), ball_around(box.low.z, box.high.z)};
+  return {ball_around(box.low.x(), box.high.x()), ball_around(box.low.y(), box.high.y()),
+          ball_around(box.low.z(), box.high.z())};
 }
 [[nodiscard]] inline Ball dot(const BallVector& u, const BallVector& v) {
   return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];

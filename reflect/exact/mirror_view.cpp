@@ -18,15 +18,16 @@ struct CameraForms {
 CameraForms camera_forms(const Camera& camera) {
   std::vector<double> values{1.0};
   for (const Vector3& v : {camera.right, camera.up, camera.forward, camera.origin})
-    values.insert(values.end(), {v.x, v.y, v.z});
+    values.insert(values.end(), {v.x(), v.y(), v.z()});
   const int lowest = exponent_range(values).lowest;
   const auto integer = [lowest](double value) { return scaled<BigInteger>(value, lowest); };
   const BigInteger unit = integer(1.0);
   // row . (v - origin), times unit * unit.
   const auto form = [&](const Vector3& row) {
-    const BigInteger at_origin = integer(row.x) * integer(camera.origin.x) + integer(row.y) * integer(camera.origin.y) +
-                                 integer(row.z) * integer(camera.origin.z);
-    return ExactPlane{integer(row.x) * unit, integer(row.y) * unit, integer(row.z) * unit, -at_origin};
+    const BigInteger at_origin = integer(row.x()) * integer(camera.origin.x()) +
+                                 integer(row.y()) * integer(camera.origin.y()) +
+                                 integer(row.z()) * integer(camera.origin.z());
+    return ExactPlane{integer(row.x()) * unit, integer(row.y()) * unit, integer(row.z()) * unit, -at_origin};
   };
   const bool perspective = camera.projection == Projection::perspective;
   return {form(camera.right), form(camera.up), perspective ? form(camera.forward) : ExactPlane{0, 0, 0, unit * unit}};

@@ -27,9 +27,9 @@ Depth depth_of(const Camera& camera, const Point3& p) {
     depth.value += factor * (coordinate - origin);
     sum += std::fabs(factor) * (std::fabs(coordinate) + std::fabs(origin));
   };
-  add(camera.forward.x, p.x, camera.origin.x);
-  add(camera.forward.y, p.y, camera.origin.y);
-  add(camera.forward.z, p.z, camera.origin.z);
+  add(camera.forward.x(), p.x(), camera.origin.x());
+  add(camera.forward.y(), p.y(), camera.origin.y());
+  add(camera.forward.z(), p.z(), camera.origin.z());
   depth.error = depth_bound * sum + 0x1p-1000;
   return depth;
 }

@@ -63,8 +63,8 @@ std::optional<Mirrored> random_mirrored(Dice& dice) {
       {random_point(dice, unit), random_point(dice, unit), random_point(dice, unit)},
       {random_point(dice, unit), random_point(dice, unit), random_point(dice, unit)}};
   auto& [camera, plane, triangle] = mirrored;
-  if (norm(cross(plane[1] - plane[0], plane[2] - plane[0])) < 1e-6) return std::nullopt;
-  if (norm(cross(triangle[1] - triangle[0], triangle[2] - triangle[0])) < 1e-6) return std::nullopt;
+  if (norm((plane[1] - plane[0]).cross(plane[2] - plane[0])) < 1e-6) return std::nullopt;
+  if (norm((triangle[1] - triangle[0]).cross(triangle[2] - triangle[0])) < 1e-6) return std::nullopt;
   if (plane_through(plane).side(exact_eye(camera)) < 0) std::swap(plane[1], plane[2]);
   if (plane_through(plane).side(exact_eye(camera)) == 0) return std::nullopt;
   for (std::size_t i = 0; i < 2; ++i) {
