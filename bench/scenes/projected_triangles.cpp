@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "geometry/projection/camera_forms.h"
+
 namespace sightline::bench {
 namespace {
 
@@ -10,7 +12,7 @@ Point3 place_of(const Mesh& mesh, const ProjectedScene& scene, const ClippedCorn
   const Camera& camera = scene.camera;
   const double z = camera.projection == Projection::perspective
                        ? -1 / weight_of(scene, corner)
-                       : camera.forward.dot(position_of(mesh, scene, corner) - camera.origin);
+                       : CameraForms<double>(camera).depth_at(position_of(mesh, scene, corner));
   return {std::ldexp(static_cast<double>(image.x), -scene.grid_bits),
           std::ldexp(static_cast<double>(image.y), -scene.grid_bits), z};
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "geometry/projection/camera_forms.h"
 #include "peers/lines/height_grid.h"
 #include "peers/scene/peer.h"
 
@@ -24,8 +25,9 @@ bool is_upright(const Camera& camera, int height_axis) {
 
 bool is_before_eye(const Mesh& mesh, const HeightGrid& grid, const Camera& camera) {
   if (camera.projection == Projection::orthographic) return true;
+  const CameraForms<double> forms(camera);
   return std::all_of(grid.vertices.begin(), grid.vertices.end(),
-                     [&](VertexId v) { return camera.forward.dot(mesh.position(v) - camera.origin) > 0; });
+                     [&](VertexId v) { return forms.depth_at(mesh.position(v)) > 0; });
 }
 
 // `constant`: which of the ground axes is constant on a polyline.

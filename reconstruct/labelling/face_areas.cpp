@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "geometry/mesh/facet_plane.h"
+#include "geometry/projection/camera_forms.h"
 
 namespace sightline::inline reconstruct {
 namespace {
@@ -71,14 +72,13 @@ struct ScaledTriangle {
 // had no width, and the width changes by twice that at most.
 bool is_narrow(const std::array<Point3, 3>& corners, const ProjectedScene& scene) {
   constexpr double widest = 1.5;
-  const Camera& camera = scene.camera;
+  const CameraForms<double> forms(scene.camera);
   std::array<Point2, 3> p;
   for (std::size_t i = 0; i < 3; ++i) {
-    const Vector3 offset = corners[i] - camera.origin;
-    const bool pinhole = camera.projection == Projection::perspective;
-    const double w = std::ldexp(pinhole ? camera.forward.dot(offset) : 1, -scene.grid_bits);
+    const CameraPlace<double> place = forms.at(corners[i]);
+    const double w = std::ldexp(place.w, -scene.grid_bits);
     if (!(w > 0)) return false;
-    p[i] = {camera.right.dot(offset) / w, camera.up.dot(offset) / w};
+    p[i] = {place.x / w, place.y / w};
   }
   const double twice_area = (p[1].x - p[0].x) * (p[2].y - p[0].y) - (p[1].y - p[0].y) * (p[2].x - p[0].x);
   double longest = 0;
