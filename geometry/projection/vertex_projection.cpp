@@ -9,6 +9,21 @@
 namespace sightline::inline geometry {
 namespace {
 
+// row . (v - origin): each term rounds at most four times (difference, product, two sums): (1 + u)^4 - 1 < 5 u. An
+// underflow costs less than 2^-1000, which is added. In one step: in the steps of Bounded's own operations
+// (CameraForms<Bounded>) a vertex took 62 nanoseconds instead of 48.
+Bounded linear_form_value(const Vector3& row, const Point3& v, const Point3& origin) {
+  const Vector3 terms = row.cwiseProduct(v - origin);
+  const double magnitudes = (std::fabs(terms.x()) + std::fabs(terms.y())) + std::fabs(terms.z());
+  return {(terms.x() + terms.y()) + terms.z(), 6 * unit_roundoff * magnitudes + 0x1p-1000};
+}
+
+CameraPlace<Bounded> certified_place(const Point3& v, const Camera& camera) {
+  const Bounded depth = linear_form_value(camera.forward, v, camera.origin);
+  return {linear_form_value(camera.right, v, camera.origin), linear_form_value(camera.up, v, camera.origin),
+          camera.projection == Projection::perspective ? depth : Bounded(1), depth};
+}
+
 // The window edge coordinates of Fang's table 5.1; bounds that the camera does not have are satisfied.
 std::array<Bounded, 6> window_edge_coordinates(const Camera& camera, const CameraPlace<Bounded>& p) {
   const Bounded satisfied = 1;
@@ -41,7 +56,7 @@ ProjectedVertex projected(const ExactCorner& corner, const Camera& camera, int g
 namespace projection_tiers {
 
 std::optional<ProjectedVertex> filtered(const Point3& v, const Camera& camera, int grid_bits) {
-  const CameraPlace<Bounded> place = CameraForms<Bounded>(camera).at(bounded(v));
+  const CameraPlace<Bounded> place = certified_place(v, camera);
   ProjectedVertex result;
   const auto wecs = window_edge_coordinates(camera, place);
   for (std::size_t bound = 0; bound < wecs.size(); ++bound) {
