@@ -56,7 +56,7 @@ using Axes = std::array<Axis, 3>;
 
 Axes axes_of(std::span<const SpaceTriangle> surface) {
   const Box box = bounds(surface);
-  return {Axis{box.low.x, box.high.x}, Axis{box.low.y, box.high.y}, Axis{box.low.z, box.high.z}};
+  return {Axis{box.low.x(), box.high.x()}, Axis{box.low.y(), box.high.y()}, Axis{box.low.z(), box.high.z()}};
 }
 
 // Returns the triangle's image, seen along the axis `along`.
@@ -65,7 +65,7 @@ ImagePolygon image(const Axes& axes, std::size_t along, const SpaceTriangle& tri
   const std::size_t y = (along + 2) % 3;
   ImagePolygon polygon;
   for (const Point3& p : triangle) {
-    const std::array at{p.x, p.y, p.z};
+    const std::array at{p.x(), p.y(), p.z()};
     polygon.push_back({axes[x].on_grid(at[x]), axes[y].on_grid(at[y])});
   }
   return polygon;

@@ -30,7 +30,7 @@ std::optional<ObjFile> read_or_refused(std::string_view text) {
 bool has_coarse_doubles(const Mesh& mesh) {
   constexpr double far = 0x1p20;
   return std::ranges::any_of(mesh.vertices, [](const Point3& p) {
-    return std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)}) > far;
+    return std::max({std::fabs(p.x()), std::fabs(p.y()), std::fabs(p.z())}) > far;
   });
 }
 

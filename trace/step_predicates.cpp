@@ -245,7 +245,7 @@ Sign StepPredicates::add_corner_against_plane(VertexId v, FacetId plane) {
   LoggedPredicate predicate{"depth", {}, "orient3d(a, b, c, d)", {}, 0, {}, to_string(scene_.arithmetic)};
   for (const VertexId corner : {abc[0], abc[1], abc[2], v}) {
     const Point3& p = mesh_.position(corner);
-    predicate.operands.push_back({name_of_vertex(corner, names_), {p.x, p.y, p.z}});
+    predicate.operands.push_back({name_of_vertex(corner, names_), {p.x(), p.y(), p.z()}});
   }
   const Point3& a = mesh_.position(abc[0]);
   const Point3& b = mesh_.position(abc[1]);

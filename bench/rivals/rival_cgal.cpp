@@ -15,7 +15,7 @@ namespace {
 using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
 using Traits = CGAL::Env_triangle_traits_3<Kernel>;
 
-Kernel::Point_3 point_at(const Point3& place) { return {place.x, place.y, place.z}; }
+Kernel::Point_3 point_at(const Point3& place) { return {place.x(), place.y(), place.z()}; }
 
 }  // namespace
 

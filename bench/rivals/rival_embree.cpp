@@ -28,7 +28,7 @@ std::array<Number, 3>* buffer_of(RTCGeometry geometry, RTCBufferType type, RTCFo
 void set_vertices(RTCGeometry geometry, const CutMesh& mesh) {
   auto* vertices = buffer_of<float>(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, mesh.vertices.size());
   for (const Point3& p : mesh.vertices) {
-    *vertices++ = {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
+    *vertices++ = {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())};
   }
 }
 
@@ -59,25 +59,25 @@ RTCScene build_hierarchy(RTCDevice device, const CutMesh& mesh) {
 // the columns of the inverse of the camera's rows.
 struct RayFan {
   explicit RayFan(const Camera& camera) {
-    const double scale = 1 / dot(camera.right, cross(camera.up, camera.forward));
-    across = scale * cross(camera.up, camera.forward);
-    upwards = scale * cross(camera.forward, camera.right);
-    along = scale * cross(camera.right, camera.up);
+    const double scale = 1 / camera.right.dot(camera.up.cross(camera.forward));
+    across = scale * camera.up.cross(camera.forward);
+    upwards = scale * camera.forward.cross(camera.right);
+    along = scale * camera.right.cross(camera.up);
   }
-  Vector3 across;
-  Vector3 upwards;
-  Vector3 along;
+  Vector3 across = Vector3::Zero();
+  Vector3 upwards = Vector3::Zero();
+  Vector3 along = Vector3::Zero();
 };
 
 double window_place(std::size_t pixel) { return (2 * static_cast<double>(pixel) + 1) / pixels - 1; }
 
 void aim(RTCRayHit16& rays, std::size_t ray, const Point3& from, const Vector3& direction) {
-  rays.ray.org_x[ray] = static_cast<float>(from.x);
-  rays.ray.org_y[ray] = static_cast<float>(from.y);
-  rays.ray.org_z[ray] = static_cast<float>(from.z);
-  rays.ray.dir_x[ray] = static_cast<float>(direction.x);
-  rays.ray.dir_y[ray] = static_cast<float>(direction.y);
-  rays.ray.dir_z[ray] = static_cast<float>(direction.z);
+  rays.ray.org_x[ray] = static_cast<float>(from.x());
+  rays.ray.org_y[ray] = static_cast<float>(from.y());
+  rays.ray.org_z[ray] = static_cast<float>(from.z());
+  rays.ray.dir_x[ray] = static_cast<float>(direction.x());
+  rays.ray.dir_y[ray] = static_cast<float>(direction.y());
+  rays.ray.dir_z[ray] = static_cast<float>(direction.z());
   rays.ray.tnear[ray] = 0;
   rays.ray.tfar[ray] = std::numeric_limits<float>::infinity();
   rays.ray.mask[ray] = ~0U;

@@ -19,9 +19,9 @@ constexpr GLint pixels = 2048;
 GL2PSvertex vertex_at(const Point3& place) {
   const auto pixel = [](double x) { return static_cast<GLfloat>((x + 1) / 2 * pixels); };
   GL2PSvertex vertex{};
-  vertex.xyz[0] = pixel(place.x);
-  vertex.xyz[1] = pixel(place.y);
-  vertex.xyz[2] = static_cast<GLfloat>(place.z);
+  vertex.xyz[0] = pixel(place.x());
+  vertex.xyz[1] = pixel(place.y());
+  vertex.xyz[2] = static_cast<GLfloat>(place.z());
   vertex.rgba[3] = 1;
   return vertex;
 }

@@ -28,7 +28,7 @@ Vector3 random_direction(Random& random) {
 // The corners are on a circle around the middle, in a random plane: a third of it apart but for 45 degrees each way.
 Triangle random_triangle(const Point3& middle, double radius, Random& random) {
   const Vector3 u = random_direction(random);
-  const Vector3 across = cross(u, random_direction(random));
+  const Vector3 across = u.cross(random_direction(random));
   const Vector3 v = (1 / norm(across)) * across;
   Triangle triangle;
   for (int corner = 0; corner < 3; ++corner) {
@@ -72,7 +72,7 @@ Mesh soup(std::size_t count, double radius) {
   std::vector<Point3> vertices;
   PolygonList faces;
   for (const Triangle& triangle : triangles) {
-    for (const Point3& p : triangle) vertices.push_back(as_in_a_file({p.x, p.y, scale * p.z - 1}));
+    for (const Point3& p : triangle) vertices.push_back(as_in_a_file({p.x(), p.y(), scale * p.z() - 1}));
     add_triangle(faces, vertices.size() - 3, vertices.size() - 2, vertices.size() - 1);
   }
   return build_mesh(std::move(vertices), std::move(faces));

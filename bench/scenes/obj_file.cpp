@@ -14,7 +14,7 @@ namespace {
 std::string obj_text(const PolygonMesh& mesh) {
   std::string text;
   for (const Point3& p : mesh.vertices)
-    fmt::format_to(std::back_inserter(text), "v {:.9g} {:.9g} {:.9g}\n", p.x, p.y, p.z);
+    fmt::format_to(std::back_inserter(text), "v {:.9g} {:.9g} {:.9g}\n", p.x(), p.y(), p.z());
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
     text += 'f';
     for (const VertexId corner : mesh.faces[f]) fmt::format_to(std::back_inserter(text), " {}", corner.index() + 1);

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "geometry/projection/camera_forms.h"
+
 namespace sightline::bench {
 namespace {
 
@@ -10,7 +12,7 @@ Point3 place_of(const ProjectedScene& scene, const ClippedCorner& corner) {
   const Camera& camera = scene.camera;
   const double z = camera.projection == Projection::perspective
                        ? -1 / weight_of(scene, corner)
-                       : dot(camera.forward, position_of(scene, corner) - camera.origin);
+                       : CameraForms<double>(camera).depth_at(position_of(scene, corner));
   return {std::ldexp(static_cast<double>(image.x), -scene.grid_bits),
           std::ldexp(static_cast<double>(image.y), -scene.grid_bits), z};
 }

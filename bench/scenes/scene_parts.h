@@ -35,7 +35,7 @@ class Random {
 // The coordinates are rounded to seven decimals: what "%.9g" writes of them, below 100, reads back as the same double.
 [[nodiscard]] inline Point3 as_in_a_file(const Point3& p) {
   const auto rounded = [](double x) { return std::round(x * 1e7) / 1e7; };
-  return {rounded(p.x), rounded(p.y), rounded(p.z)};
+  return {rounded(p.x()), rounded(p.y()), rounded(p.z())};
 }
 
 inline void add_triangle(PolygonList& faces, std::size_t a, std::size_t b, std::size_t c) {

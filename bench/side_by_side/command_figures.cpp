@@ -25,7 +25,7 @@ class Digest {
   void add(std::uint64_t number) { state_ = mix(state_ ^ number); }
   void add(double number) { add(std::bit_cast<std::uint64_t>(number)); }
   void add(const Point3& p) {
-    for (const double c : {p.x, p.y, p.z}) add(c);
+    for (const double c : {p.x(), p.y(), p.z()}) add(c);
   }
   [[nodiscard]] double value() const { return static_cast<double>(state_ >> 11U); }
 

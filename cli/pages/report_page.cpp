@@ -16,12 +16,12 @@ Ball ball_around(const CutMesh& mesh) {
   Point3 low = mesh.vertices.front();
   Point3 high = low;
   for (const Point3& p : mesh.vertices) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+    low = {std::min(low.x(), p.x()), std::min(low.y(), p.y()), std::min(low.z(), p.z())};
+    high = {std::max(high.x(), p.x()), std::max(high.y(), p.y()), std::max(high.z(), p.z())};
   }
-  const Vector3 half{high.x / 2 - low.x / 2, high.y / 2 - low.y / 2, high.z / 2 - low.z / 2};
-  const double radius = std::max({half.x, half.y, half.z});
-  return {{low.x + half.x, low.y + half.y, low.z + half.z}, radius > 0 ? radius : 1};
+  const Vector3 half{high.x() / 2 - low.x() / 2, high.y() / 2 - low.y() / 2, high.z() / 2 - low.z() / 2};
+  const double radius = std::max({half.x(), half.y(), half.z()});
+  return {{low.x() + half.x(), low.y() + half.y(), low.z() + half.z()}, radius > 0 ? radius : 1};
 }
 
 std::size_t seen_triangles(const LabelledMesh& labelled) {

@@ -42,7 +42,7 @@ std::vector<float> positions(const LabelledMesh& labelled, const std::vector<std
   result.reserve(3 * kept.size());
   for (const std::size_t v : kept) {
     const Vector3 offset = labelled.vertices[v] - ball.centre;
-    for (const double coordinate : {offset.x, offset.y, offset.z})
+    for (const double coordinate : {offset.x(), offset.y(), offset.z()})
       result.push_back(static_cast<float>(coordinate / ball.radius));
   }
   return result;

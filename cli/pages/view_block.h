@@ -25,7 +25,7 @@ namespace sightline::cli {
 
 // What the page shows is turned and measured in units of its size: so the numbers of a graphics card do for every input.
 struct Ball {
-  Point3 centre;
+  Point3 centre = Point3::Zero();
   double radius = 1;  // the largest half extent
 };
 

@@ -14,7 +14,7 @@ namespace sightline::cli {
 
 using Json = nlohmann::ordered_json;  // members keep the order in which they are written
 
-[[nodiscard]] inline Json as_json(const Vector3& v) { return {v.x, v.y, v.z}; }
+[[nodiscard]] inline Json as_json(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
 
 [[nodiscard]] inline Json as_json(Emits emits) { return emits == Emits::front ? "front" : "both"; }
 

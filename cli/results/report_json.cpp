@@ -19,7 +19,7 @@ Json camera_json(const Camera& camera) {
       {"kind", camera.projection == Projection::perspective ? "perspective" : "orthographic"},
       {"rows", {{"right", as_json(camera.right)}, {"up", as_json(camera.up)}, {"forward", as_json(camera.forward)}}},
       {"origin", as_json(camera.origin)},
-      {"eye", {eye.x, eye.y, eye.z, camera.eye.w}},
+      {"eye", {eye.x(), eye.y(), eye.z(), camera.eye.w}},
       {"near", as_json(camera.near_distance)},
       {"far", as_json(camera.far_distance)},
       {"aspect", camera.aspect}};

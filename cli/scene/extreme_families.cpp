@@ -37,8 +37,8 @@ Camera pinhole(const Point3& eye, const Point3& target, double fov_y_degrees) {
 
 // Five faces in layers that lie apart; all coordinates are multiples of 1/8, and so they stay when `scale` is a power of
 // two and `offset` below 2^50.
-constexpr Point3 layers_eye{1.5, 0.75, 6};
-constexpr Point3 layers_target{0, 0, 0.5};
+const Point3 layers_eye{1.5, 0.75, 6};
+const Point3 layers_target{0, 0, 0.5};
 
 Mesh layers(double scale, double offset) {
   const std::vector<std::vector<Point3>> faces{
@@ -63,13 +63,13 @@ Camera of_layers(double scale, double offset) {
 
 // Three pairs of triangles. In each pair the upper one's edge crosses the lower one's at the angle.
 FamilyScene crossing_angle(double angle) {
-  constexpr std::array<Point3, 3> centres{{{-0.45, -0.35, 0}, {0.45, -0.3, 0}, {0.02, 0.45, 0}}};
+  const std::array<Point3, 3> centres{{{-0.45, -0.35, 0}, {0.45, -0.3, 0}, {0.02, 0.45, 0}}};
   Draft draft;
   for (const double height : {0.0, 1.0}) {
     for (std::size_t i = 0; i < centres.size(); ++i) {
       const double direction = 0.4 + 1.1 * static_cast<double>(i) + height * angle;
       const Vector3 along{std::cos(direction), std::sin(direction), 0};
-      const Vector3 across{-along.y, along.x, 0};
+      const Vector3 across{-along.y(), along.x(), 0};
       const Point3 centre = centres[i] + Vector3{0, 0, height};
       const double side = height == 0 ? 0.35 : -0.35;  // the lower one lies left of its edge, the upper one right
       draft.add({centre - 0.3 * along, centre + 0.25 * along, centre + side * across});
@@ -81,13 +81,13 @@ FamilyScene crossing_angle(double angle) {
 
 // A triangle behind eight needles that share a vertex.
 FamilyScene needle_width(double width) {
-  constexpr Point3 hub{0.013, -0.027, 1};
+  const Point3 hub{0.013, -0.027, 1};
   Draft draft;
   draft.add({{-1.7, -1.2, 0}, {1.6, -1.3, 0}, {0.1, 1.9, 0}});
   for (int i = 0; i < 8; ++i) {
     const double direction = 0.2 + 0.77 * i;
     const Vector3 along{std::cos(direction), std::sin(direction), 0};
-    const Vector3 across{-along.y, along.x, 0};
+    const Vector3 across{-along.y(), along.x(), 0};
     const Point3 tip = hub + 0.8 * along;
     draft.add({hub, tip, tip + width * across});
   }

@@ -51,11 +51,14 @@ class TomlReader {
   // [[x, y, z], ...], however many.
   [[nodiscard]] std::vector<Vector3> points(std::string_view key) const;
 
-  template <std::size_t Columns>
-  [[nodiscard]] std::array<std::array<double, Columns>, 3> matrix(std::string_view key) const {
+  template <int Columns>
+  [[nodiscard]] Eigen::Matrix<double, 3, Columns, Eigen::DontAlign> matrix(std::string_view key) const {
     const toml::array& rows = array(node(key), key, "[[...], [...], [...]]", 3);
-    std::array<std::array<double, Columns>, 3> result;
-    for (std::size_t i = 0; i < 3; ++i) result[i] = row<Columns>(*rows.get(i), key);
+    Eigen::Matrix<double, 3, Columns, Eigen::DontAlign> result;
+    for (int i = 0; i < 3; ++i) {
+      const auto entries = row<std::size_t{Columns}>(*rows.get(static_cast<std::size_t>(i)), key);
+      for (int j = 0; j < Columns; ++j) result(i, j) = entries[static_cast<std::size_t>(j)];
+    }
     return result;
   }
 

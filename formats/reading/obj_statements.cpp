@@ -144,7 +144,7 @@ VertexId StatementParser::parse_corner(std::string_view token) {
   const std::size_t slash = std::min(token.find('/'), token.size());
   const auto index = parse_integer(token.substr(0, slash));
   if (!index) fail("corner " + quoted(token) + " has no vertex index");
-  const Vector3 normal = slash < token.size() ? parse_attributes(token, token.substr(slash + 1)) : Vector3{};
+  const Vector3 normal = slash < token.size() ? parse_attributes(token, token.substr(slash + 1)) : Vector3::Zero();
   if (reads_normals_) result_.corner_normals.push_back(normal);
   return resolve(*index, token);
 }
@@ -176,7 +176,7 @@ Vector3 StatementParser::parse_attributes(std::string_view token, std::string_vi
   const Attribute normal =
       slash == attributes.size() ? Attribute{} : attribute(token, normal_count_, attributes.substr(slash + 1));
   attributes_missing_ = attributes_missing_ || texture.missing || normal.missing;
-  return reads_normals_ && normal.number ? normals_[*normal.number] : Vector3{};
+  return reads_normals_ && normal.number ? normals_[*normal.number] : Vector3::Zero();
 }
 
 void StatementParser::check_memory() const {

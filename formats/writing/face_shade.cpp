@@ -15,31 +15,31 @@ constexpr Ramp front_ramp{{34, 51, 84}, {226, 236, 247}};
 constexpr Ramp back_ramp{{92, 62, 38}, {250, 232, 205}};
 
 // The lamp is in this direction, in the camera's frame (right, up, towards the viewer).
-constexpr Vector3 lamp{-0.42, 0.56, 0.71};
+const Vector3 lamp{-0.42, 0.56, 0.71};
 constexpr double stroke_share = 0.72;
 
 Vector3 normalised(const Vector3& v) {
   const double length = norm(v);
-  return length > 0 ? Vector3{v.x / length, v.y / length, v.z / length} : v;
+  return length > 0 ? Vector3{v.x() / length, v.y() / length, v.z() / length} : v;
 }
 
 // This is Newell's normal: corners may lie on one line with their neighbours.
 Vector3 facet_normal(const CutMesh& mesh, FacetId facet) {
   const auto corners = mesh.corners(facet);
   const Point3& first = mesh.position(corners[0]);
-  Vector3 normal;
+  Vector3 normal = Vector3::Zero();
   for (std::size_t i = 2; i < corners.size(); ++i) {
-    normal = normal + cross(mesh.position(corners[i - 1]) - first, mesh.position(corners[i]) - first);
+    normal = normal + (mesh.position(corners[i - 1]) - first).cross(mesh.position(corners[i]) - first);
   }
   return normalised(normal);
 }
 
 // The shading is half-Lambert: what is turned away from the lamp keeps its shape.
 double brightness(const Vector3& normal, const Camera& camera) {
-  const Vector3 seen{dot(normal, normalised(camera.right)), dot(normal, normalised(camera.up)),
-                     -dot(normal, camera.forward)};
+  const Vector3 seen{normal.dot(normalised(camera.right)), normal.dot(normalised(camera.up)),
+                     -normal.dot(camera.forward)};
   // In this order a normal that overflowed to NaN gives 0.
-  const double wrapped = std::min(1.0, std::max(0.0, 0.5 + 0.5 * dot(seen, lamp)));
+  const double wrapped = std::min(1.0, std::max(0.0, 0.5 + 0.5 * seen.dot(lamp)));
   return wrapped * wrapped;
 }
 

@@ -38,7 +38,7 @@ std::set<std::uint64_t> reflecting_of(const LabelledMesh& labelled, Label label)
 
 void write_labelled_obj(const LabelledMesh& labelled, const std::vector<std::string>& panels, TextBuffer& out) {
   out << "# sightline: the refined surface, one group per label\n";
-  for (const Point3& p : labelled.vertices) out << "v " << p.x << ' ' << p.y << ' ' << p.z << '\n';
+  for (const Point3& p : labelled.vertices) out << "v " << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
   for (const Label label : {Label::back_facing, Label::out_of_view, Label::hidden, Label::visible}) {
     for (const std::uint64_t reflecting : reflecting_of(labelled, label))
       write_group(labelled, label, reflecting, panels, out);

@@ -40,7 +40,7 @@ char* put(char* at, Unsigned value) {
 }
 
 char* put(char* at, const Point3& p) {
-  for (const double coordinate : {p.x, p.y, p.z}) at = put(at, std::bit_cast<std::uint64_t>(coordinate));
+  for (const double coordinate : {p.x(), p.y(), p.z()}) at = put(at, std::bit_cast<std::uint64_t>(coordinate));
   return at;
 }
 

@@ -1,5 +1,6 @@
 #include "formats/writing/window_points.h"
 
+#include "geometry/projection/camera_forms.h"
 #include "sweep/segments/image_points.h"
 
 namespace sightline::inline formats {
@@ -14,9 +15,8 @@ std::vector<Point2> window_points(const View& view) {
 }
 
 Point2 window_place(const Camera& camera, const Point3& p) {
-  const Vector3 from_origin = p - camera.origin;
-  const double depth = camera.projection == Projection::perspective ? dot(camera.forward, from_origin) : 1;
-  return {dot(camera.right, from_origin) / depth, dot(camera.up, from_origin) / depth};
+  const CameraPlace<double> place = CameraForms<double>(camera).at(p);
+  return {place.x / place.w, place.y / place.w};
 }
 
 }  // namespace sightline::inline formats

@@ -23,7 +23,7 @@ std::uint64_t fingerprint(const Mesh& mesh, FacetId facet) {
   for (const VertexId v : mesh.corners(facet)) {
     const Point3& p = mesh.position(v);
     std::uint64_t number = 0;
-    for (const double coordinate : {p.x, p.y, p.z})
+    for (const double coordinate : {p.x(), p.y(), p.z()})
       number = mix(number ^ std::bit_cast<std::uint64_t>(coordinate + 0.0));
     sum += number;
   }
@@ -118,9 +118,9 @@ class CutVertices {
     if (exact_position(rounded) != p) return VertexId{};
     const auto key = [this](VertexId v) {
       const Point3& q = mesh_.position(v);
-      return std::tuple(q.x, q.y, q.z);
+      return std::tuple(q.x(), q.y(), q.z());
     };
-    const std::tuple wanted(rounded.x, rounded.y, rounded.z);
+    const std::tuple wanted(rounded.x(), rounded.y(), rounded.z());
     const auto found = std::ranges::lower_bound(welding_.by_rank, wanted, {}, key);
     return found != welding_.by_rank.end() && key(*found) == wanted ? *found : VertexId{};
   }
@@ -148,7 +148,7 @@ Welding extended(Welding welding, const CutMesh& mesh) {
     const Point3& q = mesh.position(b);
     if (std::max(a, b).index() < mesh.input_vertex_count()) return lexicographically_less(p, q);
     // Rounding keeps the order.
-    if (p.x != q.x) return p.x < q.x;
+    if (p.x() != q.x()) return p.x() < q.x();
     return lexicographic_order(exact_position(mesh, a), exact_position(mesh, b)) < 0;
   };
   std::ranges::sort(welding.by_rank, order);

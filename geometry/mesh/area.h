@@ -6,7 +6,7 @@
 namespace sightline::inline geometry {
 
 inline double triangle_area(const Point3& a, const Point3& b, const Point3& c) {
-  return 0.5 * norm(cross(b - a, c - a));
+  return 0.5 * norm((b - a).cross(c - a));
 }
 
 // Returns the area of a convex polygon, as a fan from its first corner; `position(corner)` is the corner's place.

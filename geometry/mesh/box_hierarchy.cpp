@@ -17,17 +17,17 @@ Box hull_of(std::span<const Item> items) {
 }
 
 // Both are halved first, so that no sum overflows.
-double centre(const Box& box, double Vector3::*axis) { return box.low.*axis / 2 + box.high.*axis / 2; }
+double centre(const Box& box, int axis) { return box.low[axis] / 2 + box.high[axis] / 2; }
 
-double Vector3::*longest_axis(const Box& box) {
+int longest_axis(const Box& box) {
   const Vector3 size = 0.5 * box.high - 0.5 * box.low;
-  if (size.x >= size.y && size.x >= size.z) return &Vector3::x;
-  return size.y >= size.z ? &Vector3::y : &Vector3::z;
+  if (size.x() >= size.y() && size.x() >= size.z()) return 0;
+  return size.y() >= size.z() ? 1 : 2;
 }
 
 // Puts the lower half of the items, by their centres along the longest axis, before the upper half.
 void split_at_median(std::span<Item> items, const Box& box) {
-  double Vector3::*const axis = longest_axis(box);
+  const int axis = longest_axis(box);
   const auto middle = items.begin() + static_cast<std::ptrdiff_t>(items.size() / 2);
   std::nth_element(items.begin(), middle, items.end(), [axis](const Item& a, const Item& b) {
     return std::tuple(centre(a.box, axis), a.index) < std::tuple(centre(b.box, axis), b.index);

@@ -18,21 +18,18 @@
 namespace sightline::inline geometry {
 
 struct Box {
-  Point3 low;
-  Point3 high;
+  Point3 low = Point3::Zero();
+  Point3 high = Point3::Zero();
 };
 
-[[nodiscard]] constexpr bool overlap(const Box& a, const Box& b) {
-  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y &&
-         a.low.z <= b.high.z && b.low.z <= a.high.z;
+[[nodiscard]] inline bool overlap(const Box& a, const Box& b) {
+  return a.low.x() <= b.high.x() && b.low.x() <= a.high.x() && a.low.y() <= b.high.y() && b.low.y() <= a.high.y() &&
+         a.low.z() <= b.high.z() && b.low.z() <= a.high.z();
 }
 
-[[nodiscard]] constexpr bool contains(const Box& box, const Point3& p) { return overlap(box, Box{p, p}); }
+[[nodiscard]] inline bool contains(const Box& box, const Point3& p) { return overlap(box, Box{p, p}); }
 
-[[nodiscard]] constexpr Box hull(const Box& a, const Box& b) {
-  return {{std::min(a.low.x, b.low.x), std::min(a.low.y, b.low.y), std::min(a.low.z, b.low.z)},
-          {std::max(a.high.x, b.high.x), std::max(a.high.y, b.high.y), std::max(a.high.z, b.high.z)}};
-}
+[[nodiscard]] inline Box hull(const Box& a, const Box& b) { return {a.low.cwiseMin(b.low), a.high.cwiseMax(b.high)}; }
 
 struct BoxHierarchy {
   struct Item {

@@ -61,11 +61,13 @@ void for_each_triangle(const PolygonMesh& mesh, std::span<const FacetId> compone
 class VolumeEstimate {
  public:
   void add(const Vector3& u, const Vector3& v, const Vector3& w) {
-    const Vector3 left{v.y * w.z, v.z * w.x, v.x * w.y};
-    const Vector3 right{v.z * w.y, v.x * w.z, v.y * w.x};
-    sum_ += dot(u, left - right);
-    permanents_ += dot(magnitude(u), magnitude(left) + magnitude(right));
-    largest_ = std::max({largest_, norm_max(u), norm_max(v), norm_max(w)});
+    const Vector3 left{v.y() * w.z(), v.z() * w.x(), v.x() * w.y()};
+    const Vector3 right{v.z() * w.y(), v.x() * w.z(), v.y() * w.x()};
+    const Vector3 terms = u.cwiseProduct(left - right);
+    const Vector3 magnitudes = u.cwiseAbs().cwiseProduct(left.cwiseAbs() + right.cwiseAbs());
+    sum_ += (terms.x() + terms.y()) + terms.z();
+    permanents_ += (magnitudes.x() + magnitudes.y()) + magnitudes.z();
+    largest_ = std::max({largest_, largest_coordinate(u), largest_coordinate(v), largest_coordinate(w)});
     ++count_;
   }
 
@@ -77,9 +79,6 @@ class VolumeEstimate {
   }
 
  private:
-  static Vector3 magnitude(const Vector3& v) { return {std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}; }
-  static double norm_max(const Vector3& v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
-
   double sum_ = 0;
   double permanents_ = 0;
   double largest_ = 0;
@@ -89,14 +88,16 @@ class VolumeEstimate {
 int lowest_exponent(const PolygonMesh& mesh, std::span<const FacetId> component) {
   std::vector<double> coordinates;
   for_each_triangle(mesh, component, [&](const Point3& a, const Point3& b, const Point3& c) {
-    coordinates.insert(coordinates.end(), {a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z});
+    coordinates.insert(coordinates.end(), {a.x(), a.y(), a.z(), b.x(), b.y(), b.z(), c.x(), c.y(), c.z()});
   });
   return exponent_range(coordinates).lowest;
 }
 
 Sign exact_volume_sign(const PolygonMesh& mesh, std::span<const FacetId> component) {
   const int lowest = lowest_exponent(mesh, component);
-  const auto integers = [lowest](const Point3& p) { return scaled<BigInteger>(std::array{p.x, p.y, p.z}, lowest); };
+  const auto integers = [lowest](const Point3& p) {
+    return scaled<BigInteger>(std::array{p.x(), p.y(), p.z()}, lowest);
+  };
   BigInteger sum = 0;
   for_each_triangle(mesh, component, [&](const Point3& p, const Point3& q, const Point3& r) {
     const auto a = integers(p);

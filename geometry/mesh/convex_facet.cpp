@@ -9,7 +9,7 @@ namespace {
 
 Sign compare(double a, double b) { return (a > b ? 1 : 0) - (a < b ? 1 : 0); }
 
-double coordinate(const Point3& p, int axis) { return axis == 0 ? p.x : (axis == 1 ? p.y : p.z); }
+double coordinate(const Point3& p, int axis) { return axis == 0 ? p.x() : (axis == 1 ? p.y() : p.z()); }
 
 bool is_perpendicular_to(const FacetPlane& plane, int axis) {
   const double level = coordinate(plane.a, axis);
@@ -18,10 +18,10 @@ bool is_perpendicular_to(const FacetPlane& plane, int axis) {
 
 // Tells which axis the normal is closest to; this is only a first guess, since the normal is rounded.
 int dominant_axis(const FacetPlane& plane) {
-  const Vector3 normal = cross(plane.b - plane.a, plane.c - plane.a);
-  const double x = std::fabs(normal.x);
-  const double y = std::fabs(normal.y);
-  const double z = std::fabs(normal.z);
+  const Vector3 normal = (plane.b - plane.a).cross(plane.c - plane.a);
+  const double x = std::fabs(normal.x());
+  const double y = std::fabs(normal.y());
+  const double z = std::fabs(normal.z());
   if (x >= y && x >= z) return 0;
   return y >= z ? 1 : 2;
 }

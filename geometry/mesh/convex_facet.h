@@ -26,9 +26,9 @@ struct ConvexFacet {
 
 // A plane is three corners in the facet's order that do not lie on one line.
 struct FacetPlane {
-  Point3 a;
-  Point3 b;
-  Point3 c;
+  Point3 a = Point3::Zero();
+  Point3 b = Point3::Zero();
+  Point3 c = Point3::Zero();
 };
 
 [[nodiscard]] FacetPlane plane_of(const ConvexFacet& facet);

@@ -10,7 +10,7 @@ namespace {
 
 struct Corner {
   VertexId vertex;
-  Point3 at;
+  Point3 at = Point3::Zero();
   std::size_t previous = 0;
   std::size_t next = 0;
   bool alive = true;

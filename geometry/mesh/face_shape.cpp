@@ -33,9 +33,9 @@ std::optional<int> axis_of_turn(const Point3& a, const Point3& b, const Point3& 
 bool is_axis_parallel(const PolygonView& polygon) {
   std::array<bool, 3> same{true, true, true};
   for (std::size_t i = 1; i < polygon.size(); ++i) {
-    same[0] = same[0] && polygon[i].x == polygon[0].x;
-    same[1] = same[1] && polygon[i].y == polygon[0].y;
-    same[2] = same[2] && polygon[i].z == polygon[0].z;
+    same[0] = same[0] && polygon[i].x() == polygon[0].x();
+    same[1] = same[1] && polygon[i].y() == polygon[0].y();
+    same[2] = same[2] && polygon[i].z() == polygon[0].z();
   }
   return same[0] || same[1] || same[2];
 }
@@ -94,13 +94,13 @@ bool goes_round_once(const PolygonView& polygon) {
 }  // namespace
 
 bool lexicographically_less(const Point3& a, const Point3& b) {
-  return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+  return std::tie(a.x(), a.y(), a.z()) < std::tie(b.x(), b.y(), b.z());
 }
 
 bool bounds_nothing(const Point3& a, const Point3& b, const Point3& c) {
   if (a == b || b == c) return true;
-  const bool back =
-      is_turning_point(a.x, b.x, c.x) && is_turning_point(a.y, b.y, c.y) && is_turning_point(a.z, b.z, c.z);
+  const bool back = is_turning_point(a.x(), b.x(), c.x()) && is_turning_point(a.y(), b.y(), c.y()) &&
+                    is_turning_point(a.z(), b.z(), c.z());
   return back && collinear(a, b, c);
 }
 

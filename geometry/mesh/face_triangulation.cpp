@@ -13,7 +13,7 @@ namespace {
 template <class Integer>
 std::array<Integer, 3> newell_normal(const PolygonView& polygon, int lowest_exponent) {
   const auto corner = [&](std::size_t i) {
-    return scaled<Integer>(std::array{polygon[i].x, polygon[i].y, polygon[i].z}, lowest_exponent);
+    return scaled<Integer>(std::array{polygon[i].x(), polygon[i].y(), polygon[i].z()}, lowest_exponent);
   };
   std::array<Integer, 3> normal{0, 0, 0};
   std::array<Integer, 3> a = corner(polygon.size() - 1);
@@ -57,7 +57,7 @@ std::optional<Vector3> newell_direction(const PolygonView& polygon) {
   std::vector<double> values;
   values.reserve(3 * polygon.size());
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    values.insert(values.end(), {polygon[i].x, polygon[i].y, polygon[i].z});
+    values.insert(values.end(), {polygon[i].x(), polygon[i].y(), polygon[i].z()});
   }
   const ExponentRange range = exponent_range(values);
   const auto bits_needed = 2 * range.bits + 1 + static_cast<int>(std::bit_width(polygon.size()));
@@ -65,14 +65,14 @@ std::optional<Vector3> newell_direction(const PolygonView& polygon) {
   return direction_of(newell_normal<BigInteger>(polygon, range.lowest));
 }
 
-constexpr std::array<Vector3, 6> tilts{{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}};
+const std::array<Vector3, 6> tilts{{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}};
 
 }  // namespace
 
 Sign FaceView::turn(const Point3& a, const Point3& b, const Point3& c) const {
   if (a == b || b == c || c == a) return 0;
   for (const Vector3& direction : {normal, tilt, second_tilt}) {
-    const Sign sign = direction == Vector3{} ? 0 : orient3d(a, b, c, HomogeneousPoint{direction, 0});
+    const Sign sign = direction == Vector3::Zero() ? 0 : orient3d(a, b, c, HomogeneousPoint{direction, 0});
     if (sign != 0) return sign;
   }
   return 0;
@@ -83,7 +83,7 @@ std::vector<FaceView> face_views(const PolygonView& polygon) {
   if (!normal) return {};
   std::vector<FaceView> views{{*normal, {}, {}}};
   if (is_planar(polygon)) return views;
-  for (const Vector3& t : tilts) views.push_back({*normal, t, {t.z, t.x, t.y}});
+  for (const Vector3& t : tilts) views.push_back({*normal, t, {t.z(), t.x(), t.y()}});
   return views;
 }
 

@@ -34,9 +34,9 @@ using Triangle = std::array<VertexId, 3>;
 // A view says how a face is looked at to divide it: in parallel projection against `normal`, tilted by an infinitesimal
 // towards `tilt`, and by an infinitesimal of that towards `second_tilt` (zero vectors for no tilt).
 struct FaceView {
-  Vector3 normal;
-  Vector3 tilt;
-  Vector3 second_tilt;
+  Vector3 normal = Vector3::Zero();
+  Vector3 tilt = Vector3::Zero();
+  Vector3 second_tilt = Vector3::Zero();
 
   // Returns +1 where a, b, c turn left. For points on a line it is 0 in all views.
   [[nodiscard]] Sign turn(const Point3& a, const Point3& b, const Point3& c) const;

@@ -19,7 +19,7 @@ using FaceDefects = std::vector<std::optional<Defect>>;  // per face
 
 void require_usable(const std::vector<Point3>& vertices, const PolygonList& faces) {
   for (const Point3& p : vertices) {
-    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) {
+    if (!std::isfinite(p.x()) || !std::isfinite(p.y()) || !std::isfinite(p.z())) {
       throw std::invalid_argument("build_mesh: a coordinate is not finite");
     }
   }

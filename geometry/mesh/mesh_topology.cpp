@@ -93,7 +93,7 @@ HalfEdges half_edges(const PolygonList& facets, const Welding& welding) {
 
 Welding weld_vertices(std::span<const Point3> vertices) {
   struct Entry {
-    Point3 position;
+    Point3 position = Point3::Zero();
     VertexId vertex;
   };
   std::vector<Entry> sorted;

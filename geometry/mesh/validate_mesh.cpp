@@ -22,7 +22,7 @@ void check_vertices(const PolygonMesh& mesh, Messages& messages) {
   std::vector<VertexId> order;
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
     const Point3& p = mesh.vertices[i];
-    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
+    if (!std::isfinite(p.x()) || !std::isfinite(p.y()) || !std::isfinite(p.z()))
       messages.push_back(name(VertexId(i)) + " is not finite");
     order.emplace_back(i);
   }

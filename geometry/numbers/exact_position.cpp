@@ -41,7 +41,7 @@ Point3 ExactPosition::rounded() const {
 }
 
 ExactPosition exact_position(const Point3& p) {
-  const std::array values{p.x, p.y, p.z, 1.0};
+  const std::array values{p.x(), p.y(), p.z(), 1.0};
   const auto scaled_values = scaled<BigInteger>(values, exponent_range(values).lowest);
   return in_lowest_terms({scaled_values[0], scaled_values[1], scaled_values[2], scaled_values[3]});
 }
@@ -68,7 +68,7 @@ ExactPlane plane_through(const ExactPosition& p, const ExactPosition& q, const E
 }
 
 ExactPlane plane_towards(const ExactPosition& p, const ExactPosition& q, const Vector3& direction) {
-  const std::array values{direction.x, direction.y, direction.z};
+  const std::array values{direction.x(), direction.y(), direction.z()};
   return plane_with_normal(p, cross(difference(p, q), scaled<BigInteger>(values, exponent_range(values).lowest)));
 }
 

@@ -29,13 +29,14 @@ constexpr double underflow_bound = 0x1p-700;
 constexpr double largest_in_circle_difference = 0x1p180;
 
 bool in_range(const Vector3& v) {
-  return std::fabs(v.x) < largest_difference && std::fabs(v.y) < largest_difference &&
-         std::fabs(v.z) < largest_difference;
+  return std::fabs(v.x()) < largest_difference && std::fabs(v.y()) < largest_difference &&
+         std::fabs(v.z()) < largest_difference;
 }
 
 // Points in one plane across an axis make a column of exact zeros (a difference rounds to zero only where it is zero).
 bool share_zero_coordinate(const Vector3& u, const Vector3& v, const Vector3& w) {
-  return (u.x == 0 && v.x == 0 && w.x == 0) || (u.y == 0 && v.y == 0 && w.y == 0) || (u.z == 0 && v.z == 0 && w.z == 0);
+  return (u.x() == 0 && v.x() == 0 && w.x() == 0) || (u.y() == 0 && v.y() == 0 && w.y() == 0) ||
+         (u.z() == 0 && v.z() == 0 && w.z() == 0);
 }
 
 std::optional<Sign> decide(double value, double bound) {
@@ -59,16 +60,16 @@ std::optional<Sign> orient3d(const Point3& a, const Point3& b, const Point3& c, 
   const Vector3 w = d.w == 0 ? d.xyz : d.xyz - a;
   if (!in_range(u) || !in_range(v) || !in_range(w)) return std::nullopt;
   if (share_zero_coordinate(u, v, w)) return 0;
-  const double vw = v.y * w.z;
-  const double wv = v.z * w.y;
-  const double vw2 = v.z * w.x;
-  const double wv2 = v.x * w.z;
-  const double vw3 = v.x * w.y;
-  const double wv3 = v.y * w.x;
-  const double det = (u.x * (vw - wv) + u.y * (vw2 - wv2)) + u.z * (vw3 - wv3);
+  const double vw = v.y() * w.z();
+  const double wv = v.z() * w.y();
+  const double vw2 = v.z() * w.x();
+  const double wv2 = v.x() * w.z();
+  const double vw3 = v.x() * w.y();
+  const double wv3 = v.y() * w.x();
+  const double det = (u.x() * (vw - wv) + u.y() * (vw2 - wv2)) + u.z() * (vw3 - wv3);
   const double permanent =
-      (std::fabs(u.x) * (std::fabs(vw) + std::fabs(wv)) + std::fabs(u.y) * (std::fabs(vw2) + std::fabs(wv2))) +
-      std::fabs(u.z) * (std::fabs(vw3) + std::fabs(wv3));
+      (std::fabs(u.x()) * (std::fabs(vw) + std::fabs(wv)) + std::fabs(u.y()) * (std::fabs(vw2) + std::fabs(wv2))) +
+      std::fabs(u.z()) * (std::fabs(vw3) + std::fabs(wv3));
   return decide(det, orient3d_bound * permanent + underflow_bound);
 }
 
@@ -108,7 +109,8 @@ namespace predicates::exact {
 
 // With coordinates of B bits the differences have B + 1 and the determinant 3 (B + 1) + 3.
 Sign orient3d(const Point3& a, const Point3& b, const Point3& c, const HomogeneousPoint& d) {
-  const std::array values{a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, d.xyz.x, d.xyz.y, d.xyz.z};
+  const std::array values{a.x(), a.y(), a.z(), b.x(),     b.y(),     b.z(),
+                          c.x(), c.y(), c.z(), d.xyz.x(), d.xyz.y(), d.xyz.z()};
   const auto polynomial = [w = d.w](const auto& p) {
     using Integer = std::decay_t<decltype(p[0])>;
     const auto last = [&](std::size_t i) { return w == 0 ? p[9 + i] : Integer(p[9 + i] - p[i]); };

@@ -25,7 +25,7 @@ namespace sightline::inline geometry {
 
 // With w = 1 this is a point, with w = 0 the direction towards a point at infinity. No other w occurs.
 struct HomogeneousPoint {
-  Vector3 xyz;
+  Vector3 xyz = Vector3::Zero();
   int w = 1;
 };
 
@@ -67,10 +67,10 @@ namespace exact {
 
 // Returns the point without one coordinate (0: x, 1: y, 2: z), the remaining two in cyclic order, so that a triangle
 // whose normal has a positive component along `axis` stays counter-clockwise.
-[[nodiscard]] constexpr Point2 drop_axis(const Point3& p, int axis) {
-  if (axis == 0) return {p.y, p.z};
-  if (axis == 1) return {p.z, p.x};
-  return {p.x, p.y};
+[[nodiscard]] inline Point2 drop_axis(const Point3& p, int axis) {
+  if (axis == 0) return {p.y(), p.z()};
+  if (axis == 1) return {p.z(), p.x()};
+  return {p.x(), p.y()};
 }
 
 // Returns whether three points lie on one line, exactly.

@@ -4,20 +4,21 @@
 
 namespace sightline::inline geometry {
 
-double largest_coordinate(const Vector3& v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
+// Not Eigen's maxCoeff: what it gives where a coordinate is no number is not specified.
+double largest_coordinate(const Vector3& v) { return std::max({std::fabs(v.x()), std::fabs(v.y()), std::fabs(v.z())}); }
 
 Vector3 with_moderate_exponent(const Vector3& v) {
   const double size = largest_coordinate(v);
-  if (size == 0) return {};
+  if (size == 0) return Vector3::Zero();
   const int exponent = -std::ilogb(size);
-  return {std::scalbn(v.x, exponent), std::scalbn(v.y, exponent), std::scalbn(v.z, exponent)};
+  return {std::scalbn(v.x(), exponent), std::scalbn(v.y(), exponent), std::scalbn(v.z(), exponent)};
 }
 
 Vector3 unit(const Vector3& v) {
   const Vector3 moderate = with_moderate_exponent(v);
-  const double length = std::sqrt(dot(moderate, moderate));
-  if (length == 0) return {};
-  return {moderate.x / length + 0.0, moderate.y / length + 0.0, moderate.z / length + 0.0};
+  const double length = std::sqrt(moderate.dot(moderate));
+  if (length == 0) return Vector3::Zero();
+  return (moderate / length).array() + 0.0;
 }
 
 double unit_scale(std::span<const Point3> positions) {

@@ -1,35 +1,25 @@
-// Points and vectors of the input space are in the input's units and axes.
+// Points and vectors of the input space, in the input's units and axes: Eigen's, with its sums, products, dot and cross.
 //
-// The operations are plain IEEE double arithmetic in a fixed order, so that every compiler gives the same bits.
+// Eigen leaves a vector that nothing initialises as it finds it, and its sums and products are expressions that refer to
+// their operands: so every vector gets a value where it is declared, and none is declared `auto`. Comparisons are those of
+// doubles: -0.0 equals 0.0.
+//
+// The library is compiled without Eigen's vector instructions: every operation is IEEE double arithmetic in one order,
+// whatever the compiler and the processor.
 #pragma once
 
+#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <cmath>
 #include <span>
 
 namespace sightline::inline geometry {
 
-struct Vector3 {
-  double x = 0;
-  double y = 0;
-  double z = 0;
-
-  // -0.0 equals 0.0.
-  friend constexpr bool operator==(const Vector3&, const Vector3&) = default;
-};
-
+using Vector3 = Eigen::Vector3d;
 using Point3 = Vector3;
 
-constexpr Vector3 operator+(const Vector3& a, const Vector3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-constexpr Vector3 operator-(const Vector3& a, const Vector3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-constexpr Vector3 operator*(double s, const Vector3& v) { return {s * v.x, s * v.y, s * v.z}; }
-
-constexpr double dot(const Vector3& a, const Vector3& b) { return (a.x * b.x + a.y * b.y) + a.z * b.z; }
-
-constexpr Vector3 cross(const Vector3& a, const Vector3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
-inline double norm(const Vector3& v) { return std::hypot(v.x, v.y, v.z); }
+// Not Eigen's: std::hypot neither overflows nor underflows where squares do, and bounds are proven for it.
+inline double norm(const Vector3& v) { return std::hypot(v.x(), v.y(), v.z()); }
 
 // Returns the largest of |x|, |y|, |z|.
 [[nodiscard]] double largest_coordinate(const Vector3& v);

@@ -14,14 +14,15 @@ void require(bool holds, const std::string& name, const char* what) {
   if (!holds) throw CameraError("camera \"" + name + "\": " + what);
 }
 
-bool finite(const Vector3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+template <class Entries>
+bool finite(const Eigen::MatrixBase<Entries>& m) {
+  return m.unaryExpr([](double entry) { return std::isfinite(entry); }).all();
+}
 
-double length_of_moderate(const Vector3& v) { return std::sqrt(dot(v, v)); }
+double length_of_moderate(const Vector3& v) { return std::sqrt(v.dot(v)); }
 
 // Adding 0.0 turns -0.0 into 0.0, so that reports do not depend on how a zero came about.
-Vector3 divided(const Vector3& v, double divisor) {
-  return {v.x / divisor + 0.0, v.y / divisor + 0.0, v.z / divisor + 0.0};
-}
+Vector3 divided(const Vector3& v, double divisor) { return (v / divisor).array() + 0.0; }
 
 // Returns a * b - c * d to 1.5 units in the last place: it is zero only where the exact value is (Kahan; Jeannerod,
 // Louvet and Muller 2013).
@@ -32,8 +33,8 @@ double difference_of_products(double a, double b, double c, double d) {
 
 // Every component is right to 1.5 units in the last place, however close to parallel a and b are.
 Vector3 accurate_cross(const Vector3& a, const Vector3& b) {
-  return {difference_of_products(a.y, b.z, a.z, b.y), difference_of_products(a.z, b.x, a.x, b.z),
-          difference_of_products(a.x, b.y, a.y, b.x)};
+  return {difference_of_products(a.y(), b.z(), a.z(), b.y()), difference_of_products(a.z(), b.x(), a.x(), b.z()),
+          difference_of_products(a.x(), b.y(), a.y(), b.x())};
 }
 
 // Returns the direction from a to b; halves first where the difference would overflow.
@@ -105,10 +106,10 @@ BigInteger determinant(const Columns& columns, std::size_t a, std::size_t b, std
 // Returns the integers that P is, over one power of two.
 Columns integer_columns(const Matrix34& p) {
   std::array<double, 12> entries;
-  for (std::size_t i = 0; i < 12; ++i) entries[i] = p[i / 4][i % 4];
+  for (std::size_t i = 0; i < 12; ++i) entries[i] = p.data()[i];  // column by column
   const int lowest = exponent_range(entries).lowest;
   Columns columns;
-  for (std::size_t i = 0; i < 12; ++i) columns[i % 4][i / 4] = scaled<BigInteger>(entries[i], lowest);
+  for (std::size_t i = 0; i < 12; ++i) columns[i / 3][i % 3] = scaled<BigInteger>(entries[i], lowest);
   return columns;
 }
 
@@ -125,43 +126,23 @@ Point3 centre_of_projection(const Matrix34& p) {
           rounded(determinant(columns, 1, 0, 3), denominator)};
 }
 
-Vector3 row(const Matrix34& p, std::size_t i) { return {p[i][0], p[i][1], p[i][2]}; }
+Vector3 row(const Matrix34& p, int i) { return p.row(i).head<3>(); }
 
 // Returns the sign of det(P[:, :3]), exactly.
-Sign handedness(const Matrix34& p) { return orient3d(Point3{}, row(p, 0), row(p, 1), row(p, 2)); }
-
-template <std::size_t Rows, std::size_t Columns>
-bool finite(const std::array<std::array<double, Columns>, Rows>& matrix) {
-  return std::all_of(matrix.begin(), matrix.end(), [](const auto& r) {
-    return std::all_of(r.begin(), r.end(), [](double entry) { return std::isfinite(entry); });
-  });
-}
-
-template <std::size_t Columns>
-std::array<std::array<double, Columns>, 3> times(const Matrix3& a,
-                                                 const std::array<std::array<double, Columns>, 3>& b) {
-  std::array<std::array<double, Columns>, 3> product;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < Columns; ++j)
-      product[i][j] = (a[i][0] * b[0][j] + a[i][1] * b[1][j]) + a[i][2] * b[2][j];
-  }
-  return product;
-}
+Sign handedness(const Matrix34& p) { return orient3d(Point3::Zero(), row(p, 0), row(p, 1), row(p, 2)); }
 
 // Returns the same camera with the largest entry in [1, 2), by a power of two, and a positive determinant.
 Matrix34 normalised(const Matrix34& p) {
   double size = 0;
-  for (std::size_t i = 0; i < 3; ++i) size = std::max(size, largest_coordinate(row(p, i)));
+  for (int i = 0; i < 3; ++i) size = std::max(size, largest_coordinate(row(p, i)));
   const int exponent = -std::ilogb(size);
   const int sign = handedness(p);
-  Matrix34 result;
-  for (std::size_t i = 0; i < 12; ++i) result[i / 4][i % 4] = sign * std::scalbn(p[i / 4][i % 4], exponent);
-  return result;
+  return p.unaryExpr([sign, exponent](double entry) { return sign * std::scalbn(entry, exponent); });
 }
 
 // Returns a * v + b * w, rounded once per component if a * v is exact.
 Vector3 combined(double a, const Vector3& v, double b, const Vector3& w) {
-  return {std::fma(b, w.x, a * v.x), std::fma(b, w.y, a * v.y), std::fma(b, w.z, a * v.z)};
+  return {std::fma(b, w.x(), a * v.x()), std::fma(b, w.y(), a * v.y()), std::fma(b, w.z(), a * v.z())};
 }
 
 void check_image(const std::string& name, const PixelImage& image) {
@@ -222,9 +203,8 @@ Camera calibrated_camera(std::string name, const Matrix3& k, const Matrix3& r, c
   check_image(name, image);
   require(finite(k) && finite(r) && finite(t), name, "K, R or t has an entry that is not finite");
   Matrix34 pose;
-  const std::array<double, 3> translation{t.x, t.y, t.z};
-  for (std::size_t i = 0; i < 3; ++i) pose[i] = {r[i][0], r[i][1], r[i][2], translation[i]};
-  const Matrix34 p = times(k, pose);
+  pose << r, t;
+  const Matrix34 p = k * pose;
   require(finite(p), name, "K [R | t] is not finite");
   require(handedness(p) > 0 && handedness(pose) > 0, name,
           "K R has no positive determinant; K needs a positive diagonal and R must be a rotation");

@@ -15,7 +15,6 @@
 // 180), aspect or height not positive, a matrix without a finite centre, near >= far, anything not finite.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
 
@@ -29,19 +28,19 @@ enum class Projection { perspective, orthographic };
 struct Camera {
   std::string name;
   Projection projection = Projection::perspective;
-  Vector3 right;
-  Vector3 up;
-  Vector3 forward;
-  Point3 origin;         // the eye of a pinhole; a point that is seen at the window's centre otherwise
-  HomogeneousPoint eye;  // origin, or for an orthographic camera the direction towards the viewer with w = 0
+  Vector3 right = Vector3::Zero();
+  Vector3 up = Vector3::Zero();
+  Vector3 forward = Vector3::Zero();
+  Point3 origin = Point3::Zero();  // the eye of a pinhole; a point that is seen at the window's centre otherwise
+  HomogeneousPoint eye;            // origin, or for an orthographic camera the direction towards the viewer with w = 0
   std::optional<double> near_distance;
   std::optional<double> far_distance;
   double aspect = 1;  // the window's width over its height, for display only
 };
 
 struct ViewPoint {
-  Point3 eye;
-  Point3 target;
+  Point3 eye = Point3::Zero();
+  Point3 target = Point3::Zero();
   Vector3 up{0, 1, 0};
   double aspect = 1;
   std::optional<double> near_distance;
@@ -54,8 +53,9 @@ struct ViewPoint {
 // height is the window's height in input units.
 [[nodiscard]] Camera orthographic_camera(std::string name, const ViewPoint& view, double height);
 
-using Matrix3 = std::array<std::array<double, 3>, 3>;
-using Matrix34 = std::array<std::array<double, 4>, 3>;
+// Unaligned, as Matrix3 is: what holds one needs no storage of its own kind.
+using Matrix3 = Eigen::Matrix3d;
+using Matrix34 = Eigen::Matrix<double, 3, 4, Eigen::DontAlign>;
 
 // This says where pixel coordinates begin: at `corner` the first pixel's centre is (0.5, 0.5), at `center` it is (0,
 // 0).

@@ -2,65 +2,55 @@
 
 #include <algorithm>
 
+#include "geometry/projection/camera_forms.h"
+
 namespace sightline::inline geometry {
 namespace {
 
 using Polygon = std::vector<ExactCorner>;
 
+using Vector = CameraForms<BigInteger>::Vector;
+
 // This has the camera and the facet's vertices as integers over one power of two.
 class CommonScale {
  public:
-  CommonScale(const Camera& camera, std::span<const Point3> vertices) {
-    std::vector<double> values{1.0};
-    const auto add = [&values](const Vector3& v) { values.insert(values.end(), {v.x, v.y, v.z}); };
-    for (const Vector3& v : {camera.right, camera.up, camera.forward, camera.origin}) add(v);
-    for (const Point3& v : vertices) add(v);
-    lowest_ = exponent_range(values).lowest;
+  CommonScale(const Camera& camera, std::span<const Point3> vertices)
+      : exponent_(common_exponent(camera, vertices)), forms_(integer_forms(camera, exponent_)) {}
+
+  // Every coordinate of v / weight is of degree two in the scaled numbers and of degree one in v and weight, so that all
+  // share the factor `one`.
+  [[nodiscard]] ExactCorner corner(const Vector& v, const BigInteger& weight) const {
+    const CameraPlace<BigInteger> place = forms_.at(v, weight);
+    ExactCorner corner;
+    corner.x = place.x;
+    corner.y = place.y;
+    corner.w = place.w;
+    corner.depth = place.depth;
+    corner.px = v.x() * forms_.unit;
+    corner.py = v.y() * forms_.unit;
+    corner.pz = v.z() * forms_.unit;
+    corner.one = forms_.one * weight;
+    return corner;
   }
 
-  [[nodiscard]] BigInteger operator()(double value) const { return scaled<BigInteger>(value, lowest_); }
+  [[nodiscard]] ExactCorner corner(const Point3& v) const {
+    return corner(v.unaryExpr([this](double value) { return scaled<BigInteger>(value, exponent_); }), 1);
+  }
+
+  // A vertex of the input, or one that cutting made.
+  [[nodiscard]] ExactCorner corner(const CutMesh& mesh, VertexId v) const {
+    if (v.index() < mesh.input_vertex_count()) return corner(mesh.position(v));
+    const ExactPosition p = exact_position(mesh, v);
+    return corner(forms_.unit * Vector(p.x, p.y, p.z), p.w);
+  }
 
  private:
-  int lowest_ = 0;
+  int exponent_;
+  CameraForms<BigInteger> forms_;
 };
 
-// Returns the point (x, y, z) / w, in scaled numbers. Every coordinate below is of degree two in these and of degree
-// one in (x, y, z, w), so that they share the factor `one`.
-ExactCorner homogeneous(const BigInteger& x, const BigInteger& y, const BigInteger& z, const BigInteger& w,
-                        const Camera& camera, const CommonScale& scale) {
-  const BigInteger dx = x - scale(camera.origin.x) * w;
-  const BigInteger dy = y - scale(camera.origin.y) * w;
-  const BigInteger dz = z - scale(camera.origin.z) * w;
-  const auto form = [&](const Vector3& row) {
-    return BigInteger(scale(row.x) * dx + scale(row.y) * dy + scale(row.z) * dz);
-  };
-  const BigInteger unit = scale(1.0);
-  ExactCorner corner;
-  corner.x = form(camera.right);
-  corner.y = form(camera.up);
-  corner.depth = form(camera.forward);
-  corner.one = unit * unit * w;
-  corner.w = camera.projection == Projection::perspective ? corner.depth : corner.one;
-  corner.px = x * unit;
-  corner.py = y * unit;
-  corner.pz = z * unit;
-  return corner;
-}
-
-ExactCorner homogeneous(const Point3& v, const Camera& camera, const CommonScale& scale) {
-  return homogeneous(scale(v.x), scale(v.y), scale(v.z), 1, camera, scale);
-}
-
-// The vertex is the input's, or one that cutting made.
-ExactCorner homogeneous(const CutMesh& mesh, VertexId v, const Camera& camera, const CommonScale& scale) {
-  if (v.index() < mesh.input_vertex_count()) return homogeneous(mesh.position(v), camera, scale);
-  const ExactPosition p = exact_position(mesh, v);
-  const BigInteger unit = scale(1.0);
-  return homogeneous(p.x * unit, p.y * unit, p.z * unit, p.w, camera, scale);
-}
-
-// Returns where the segment from `inside` (WEC > 0) to `outside` (WEC < 0) meets the bound: Fang's equation 5.7 without
-// the division.
+// Where the segment from `inside` (WEC > 0) to `outside` (WEC < 0) meets the bound: Fang's equation 5.7 without the
+// division.
 ExactCorner intersection(const ExactCorner& inside, const BigInteger& wec_inside, const ExactCorner& outside,
                          const BigInteger& wec_outside) {
   const auto blend = [&](BigInteger ExactCorner::*coordinate) {
@@ -121,11 +111,11 @@ Point3 ExactCorner::position() const {
 double ExactCorner::weight() const { return rounded_quotient(w, one); }
 
 ExactCorner exact_corner(const Point3& vertex, const Camera& camera) {
-  return homogeneous(vertex, camera, CommonScale(camera, std::span(&vertex, 1)));
+  return CommonScale(camera, std::span(&vertex, 1)).corner(vertex);
 }
 
 ExactCorner exact_corner(const CutMesh& mesh, VertexId vertex, const Camera& camera) {
-  return homogeneous(mesh, vertex, camera, CommonScale(camera, std::span(&mesh.position(vertex), 1)));
+  return CommonScale(camera, std::span(&mesh.position(vertex), 1)).corner(mesh, vertex);
 }
 
 ImagePoint round_to_grid(const ExactCorner& corner, int grid_bits) {
@@ -144,7 +134,7 @@ Polygon clip(const CutMesh& mesh, const Camera& camera, FacetId facet) {
   const CommonScale scale(camera, positions);
   Polygon polygon;
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    polygon.push_back(homogeneous(mesh, corners[i], camera, scale));
+    polygon.push_back(scale.corner(mesh, corners[i]));
     polygon.back().vertex = corners[i];
     polygon.back().edge_after = mesh.edges_of(facet)[i];
   }

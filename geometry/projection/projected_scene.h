@@ -70,11 +70,11 @@ struct ClippedCorner {
 
 // Clipping made this corner where it cut a facet's border.
 struct MadeCorner {
-  Point3 position;           // in input coordinates
-  double weight = 1;         // its W of the camera
-  MeshEdgeId on_edge;        // invalid: inside the facet
-  FacetId facet;             // whose corner it is
-  std::uint32_t corner = 0;  // its number among polygon_corners
+  Point3 position = Point3::Zero();  // in input coordinates
+  double weight = 1;                 // its W of the camera
+  MeshEdgeId on_edge;                // invalid: inside the facet
+  FacetId facet;                     // whose corner it is
+  std::uint32_t corner = 0;          // its number among polygon_corners
 };
 
 struct ProjectedScene {

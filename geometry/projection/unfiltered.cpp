@@ -4,44 +4,29 @@
 #include <cfloat>
 #include <cmath>
 
+#include "geometry/projection/camera_forms.h"
+
 namespace sightline::inline geometry::unfiltered {
 namespace {
 
 static_assert(FLT_EVAL_METHOD == 0, "float and double must be evaluated in their own type");
 
 template <class Real>
-struct RealVector {
-  Real x = 0;
-  Real y = 0;
-  Real z = 0;
-};
+using RealVector = Eigen::Matrix<Real, 3, 1>;
 
 template <class Real>
 RealVector<Real> rounded_vector(const Vector3& v) {
-  return {rounded<Real>(v.x), rounded<Real>(v.y), rounded<Real>(v.z)};
-}
-
-template <class Real>
-RealVector<Real> operator-(const RealVector<Real>& a, const RealVector<Real>& b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-
-template <class Real>
-Real dot(const RealVector<Real>& a, const RealVector<Real>& b) {
-  return (a.x * b.x + a.y * b.y) + a.z * b.z;
-}
-
-template <class Real>
-RealVector<Real> cross(const RealVector<Real>& a, const RealVector<Real>& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+  return v.unaryExpr([](double value) { return rounded<Real>(value); });
 }
 
 template <class Real>
 Sign orient3d_in(const Point3& a, const Point3& b, const Point3& c, const HomogeneousPoint& d) {
-  const auto origin = rounded_vector<Real>(a);
-  const auto last = rounded_vector<Real>(d.xyz);
-  const auto normal = cross(rounded_vector<Real>(b) - origin, rounded_vector<Real>(c) - origin);
-  return sign_of(dot(normal, d.w == 0 ? last : last - origin));
+  const RealVector<Real> origin = rounded_vector<Real>(a);
+  const RealVector<Real> last = rounded_vector<Real>(d.xyz);
+  const RealVector<Real> u = rounded_vector<Real>(b) - origin;
+  const RealVector<Real> v = rounded_vector<Real>(c) - origin;
+  const RealVector<Real> w = d.w == 0 ? last : RealVector<Real>(last - origin);
+  return sign_of(u.cross(v).dot(w));
 }
 
 template <class Real>
@@ -53,11 +38,8 @@ std::int64_t grid_coordinate(Real numerator, Real denominator, int grid_bits) {
 
 template <class Real>
 ImagePoint image_point_in(const Point3& vertex, const Camera& camera, const Precision& precision) {
-  const auto from_origin = rounded_vector<Real>(vertex) - rounded_vector<Real>(camera.origin);
-  const auto form = [&](const Vector3& row) { return dot(rounded_vector<Real>(row), from_origin); };
-  const Real w = camera.projection == Projection::perspective ? form(camera.forward) : Real{1};
-  const Real x = form(camera.right);
-  const Real y = form(camera.up);
+  const CameraForms<Real> forms(camera, [](double value) { return rounded<Real>(value); });
+  const auto [x, y, w, depth] = forms.at(rounded_vector<Real>(vertex));
   if (std::isnan(x / w) || std::isnan(y / w)) {
     throw ArithmeticError(to_string(precision.arithmetic), "a vertex has no place in the image");
   }

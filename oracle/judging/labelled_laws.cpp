@@ -8,9 +8,9 @@
 namespace sightline::lattice {
 namespace {
 
-double area_of(const Point3& a, const Point3& b, const Point3& c) { return norm(cross(b - a, c - a)) / 2; }
+double area_of(const Point3& a, const Point3& b, const Point3& c) { return norm((b - a).cross(c - a)) / 2; }
 
-double largest(const Point3& p) { return std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)}); }
+double largest(const Point3& p) { return std::max({std::fabs(p.x()), std::fabs(p.y()), std::fabs(p.z())}); }
 
 struct FaceExtent {
   double area = 0;
@@ -22,12 +22,12 @@ FaceExtent extent_of(const PolygonMesh& mesh, FaceId face) {
   FaceExtent extent;
   for (std::size_t f = mesh.first_facet(face); f < mesh.end_facet(face); ++f) {
     const auto corners = mesh.corners(FacetId(f));
-    Vector3 twice_area;
+    Vector3 twice_area = Vector3::Zero();
     for (std::size_t i = 0; i < corners.size(); ++i) {
       const Point3& p = mesh.position(corners[i]);
       const Point3& q = mesh.position(corners[(i + 1) % corners.size()]);
       const Point3& origin = mesh.position(corners[0]);
-      twice_area = twice_area + cross(p - origin, q - origin);
+      twice_area = twice_area + (p - origin).cross(q - origin);
       extent.perimeter += norm(q - p);
       extent.coordinate = std::max(extent.coordinate, largest(p));
     }
@@ -42,7 +42,7 @@ using DirectedEdge = std::array<std::size_t, 2>;
 std::vector<std::size_t> welded(const std::vector<Point3>& vertices) {
   std::vector<std::size_t> order(vertices.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-  const auto key = [&](std::size_t i) { return std::array{vertices[i].x, vertices[i].y, vertices[i].z}; };
+  const auto key = [&](std::size_t i) { return std::array{vertices[i].x(), vertices[i].y(), vertices[i].z()}; };
   std::sort(order.begin(), order.end(),
             [&](std::size_t a, std::size_t b) { return key(a) != key(b) ? key(a) < key(b) : a < b; });
   std::vector<std::size_t> result(vertices.size());
@@ -70,8 +70,8 @@ void append_edges(std::vector<DirectedEdge>& edges, const Corners& corners, cons
 
 Point2 image(const Camera& camera, const Point3& v) {
   const Vector3 offset = v - camera.origin;
-  const double w = camera.projection == Projection::perspective ? dot(camera.forward, offset) : 1;
-  return {dot(camera.right, offset) / w, dot(camera.up, offset) / w};
+  const double w = camera.projection == Projection::perspective ? camera.forward.dot(offset) : 1;
+  return {camera.right.dot(offset) / w, camera.up.dot(offset) / w};
 }
 
 }  // namespace

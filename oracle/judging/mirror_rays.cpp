@@ -6,9 +6,9 @@
 namespace sightline::lattice {
 namespace {
 
-double scalar(const Vector3& a, const Vector3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+double scalar(const Vector3& a, const Vector3& b) { return a.x() * b.x() + a.y() * b.y() + a.z() * b.z(); }
 Vector3 vector_product(const Vector3& a, const Vector3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+  return {a.y() * b.z() - a.z() * b.y(), a.z() * b.x() - a.x() * b.z(), a.x() * b.y() - a.y() * b.x()};
 }
 
 // Returns where the ray meets the triangle, in multiples of the direction; infinite where it does not.
@@ -66,7 +66,7 @@ MirrorRays::Hit MirrorRays::first_hit(const std::vector<Target>& targets, const 
 
 // The normals are weighed by the areas of the triangles that the place makes with the sides.
 Vector3 MirrorRays::normal_at(const Target& target, const Point3& place) {
-  Vector3 sum;
+  Vector3 sum = Vector3::Zero();
   for (std::size_t i = 0; i < 3; ++i) {
     const Vector3 p = target.corners[(i + 1) % 3] - place;
     const Vector3 q = target.corners[(i + 2) % 3] - place;

@@ -27,10 +27,10 @@ class MirrorRays {
  private:
   struct Target {
     std::array<Point3, 3> corners;
-    Vector3 normal;
+    Vector3 normal = Vector3::Zero();
     std::size_t owner = 0;  // the face, or the panel
     bool front_only = false;
-    std::array<Vector3, 3> normals{};  // at the corners
+    std::array<Vector3, 3> normals{Vector3::Zero(), Vector3::Zero(), Vector3::Zero()};  // at the corners
   };
   struct Hit {
     double distance = 0;

@@ -20,7 +20,7 @@ BigInteger whole(double value, int shift) {
 int shift_for(std::initializer_list<Vector3> vectors) {
   int shift = 0;
   for (const Vector3& v : vectors) {
-    for (const double value : {v.x, v.y, v.z}) {
+    for (const double value : {v.x(), v.y(), v.z()}) {
       if (value != 0) shift = std::max(shift, 52 - std::ilogb(value));
     }
   }
@@ -52,7 +52,7 @@ class Frame {
       return BigInteger(whole(r, row_shift_) * BigInteger(whole(value, shift_) - whole(origin, shift_)));
     };
     const Point3& o = camera_.origin;
-    return term(row.x, v.x, o.x) + term(row.y, v.y, o.y) + term(row.z, v.z, o.z);
+    return term(row.x(), v.x(), o.x()) + term(row.y(), v.y(), o.y()) + term(row.z(), v.z(), o.z());
   }
   const Camera& camera_;
   int shift_;

@@ -18,7 +18,7 @@ Mesh rebuilt(std::vector<Point3> vertices, const std::vector<std::vector<VertexI
   return build_mesh(std::move(vertices), std::move(list));
 }
 
-Vector3 flipped(const Vector3& v) { return {-v.x, v.y, v.z}; }
+Vector3 flipped(const Vector3& v) { return {-v.x(), v.y(), v.z()}; }
 
 template <class Value>
 void expect_same(Complaints& complaints, const std::string& what, const Value& before, const Value& after) {

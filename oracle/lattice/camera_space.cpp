@@ -18,7 +18,7 @@ std::int64_t fixed(double value) {
 }
 
 std::int64_t form(const Vector3& row, const Vector3& offset) {
-  return fixed(row.x) * fixed(offset.x) + fixed(row.y) * fixed(offset.y) + fixed(row.z) * fixed(offset.z);
+  return fixed(row.x()) * fixed(offset.x()) + fixed(row.y()) * fixed(offset.y()) + fixed(row.z()) * fixed(offset.z());
 }
 
 using Row = std::array<Int128, 3>;

@@ -47,7 +47,7 @@ Lattice random_lattice(Dice& dice) {
   const int second = (first + dice.between(1, 2)) % 3;
   lattice.right = axis(first, dice.one_in(2) ? 1 : -1);
   lattice.up = axis(second, dice.one_in(2) ? 1 : -1);
-  lattice.forward = cross(lattice.up, lattice.right);
+  lattice.forward = lattice.up.cross(lattice.right);
   const auto step = [&] { return static_cast<double>(dice.between(-3, 3)); };
   lattice.camera = camera_of(lattice, {step(), step(), step()});
   return lattice;

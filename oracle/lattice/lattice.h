@@ -42,9 +42,9 @@ struct Lattice {
   int reach = 4;            // points have image coordinates in [-reach, reach]
   std::vector<int> depths;  // powers of two for a pinhole, so that images are exact; 0 and below: behind the eye
   Camera camera;
-  Vector3 right;  // unit axes of the input space
-  Vector3 up;
-  Vector3 forward;
+  Vector3 right = Vector3::Zero();  // unit axes of the input space
+  Vector3 up = Vector3::Zero();
+  Vector3 forward = Vector3::Zero();
 };
 
 [[nodiscard]] Lattice random_lattice(Dice& dice);

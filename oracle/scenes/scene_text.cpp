@@ -7,7 +7,7 @@ namespace {
 
 std::string numbers(const Vector3& v) {
   char text[96];
-  std::snprintf(text, sizeof text, "%.17g %.17g %.17g", v.x, v.y, v.z);
+  std::snprintf(text, sizeof text, "%.17g %.17g %.17g", v.x(), v.y(), v.z());
   return text;
 }
 

@@ -26,7 +26,7 @@ Binary binary(double value) {
 int common_unit(const std::vector<Vector3>& vectors) {
   std::optional<int> unit;
   for (const Vector3& v : vectors) {
-    for (const double value : {v.x, v.y, v.z}) {
+    for (const double value : {v.x(), v.y(), v.z()}) {
       if (value != 0) unit = std::min(unit.value_or(INT32_MAX), binary(value).exponent);
     }
   }
@@ -41,7 +41,7 @@ Integer whole(double value, int unit) {
   return b.odd * power_of_two(b.exponent - unit);
 }
 
-WholeVector whole(const Vector3& v, int unit) { return {whole(v.x, unit), whole(v.y, unit), whole(v.z, unit)}; }
+WholeVector whole(const Vector3& v, int unit) { return {whole(v.x(), unit), whole(v.y(), unit), whole(v.z(), unit)}; }
 
 Integer dot(const WholeVector& u, const WholeVector& v) { return u.x * v.x + u.y * v.y + u.z * v.z; }
 

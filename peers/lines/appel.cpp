@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "geometry/projection/camera_forms.h"
 #include "peers/lines/active_edges.h"
 #include "peers/lines/obscuring.h"
 
@@ -137,7 +138,7 @@ class Propagation {
 };
 
 bool is_within_bounds(const Camera& camera, const Point3& p) {
-  const double distance = dot(camera.forward, p - camera.origin);
+  const double distance = CameraForms<double>(camera).depth_at(p);
   return (!camera.near_distance || distance >= *camera.near_distance) &&
          (!camera.far_distance || distance <= *camera.far_distance);
 }

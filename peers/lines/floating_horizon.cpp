@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/projection/camera_forms.h"
 #include "peers/lines/cohen_sutherland.h"
 #include "peers/lines/height_field.h"
 
@@ -74,10 +75,8 @@ class Drawing {
 
  private:
   [[nodiscard]] Point2 image_of(VertexId vertex) const {
-    const Camera& camera = scene_.projected->camera;
-    const Vector3 from_origin = scene_.mesh->position(vertex) - camera.origin;
-    const double w = camera.projection == Projection::perspective ? dot(camera.forward, from_origin) : 1;
-    return {dot(camera.right, from_origin) / w, dot(camera.up, from_origin) / w};
+    const CameraPlace<double> place = CameraForms<double>(scene_.projected->camera).at(scene_.mesh->position(vertex));
+    return {place.x / place.w, place.y / place.w};
   }
 
   [[nodiscard]] std::vector<Point2> image_of(const std::vector<VertexId>& polyline) const {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "geometry/projection/camera_forms.h"
 #include "peers/lines/height_grid.h"
 #include "peers/scene/peer.h"
 
@@ -18,14 +19,15 @@ constexpr auto no_order =
     "the eye is above the height field, or looks along its polylines: these have no order from front to back";
 
 bool is_upright(const Camera& camera, int height_axis) {
-  if (coordinate(camera.right, height_axis) != 0) return false;
-  return camera.projection == Projection::orthographic || coordinate(camera.forward, height_axis) == 0;
+  if (camera.right[height_axis] != 0) return false;
+  return camera.projection == Projection::orthographic || camera.forward[height_axis] == 0;
 }
 
 bool is_before_eye(const CutMesh& mesh, const HeightGrid& grid, const Camera& camera) {
   if (camera.projection == Projection::orthographic) return true;
+  const CameraForms<double> forms(camera);
   return std::all_of(grid.vertices.begin(), grid.vertices.end(),
-                     [&](VertexId v) { return dot(camera.forward, mesh.position(v) - camera.origin) > 0; });
+                     [&](VertexId v) { return forms.depth_at(mesh.position(v)) > 0; });
 }
 
 // `constant` says which of the ground axes is constant on a polyline.
@@ -38,7 +40,7 @@ struct Order {
 std::optional<Order> order_of(const Camera& camera, const HeightGrid& grid) {
   const bool is_far_away = camera.projection == Projection::orthographic;
   for (const std::size_t constant : {std::size_t{0}, std::size_t{1}}) {
-    const double eye = coordinate(camera.eye.xyz, grid.ground_axes[constant]);
+    const double eye = camera.eye.xyz[grid.ground_axes[constant]];
     if (eye < (is_far_away ? 0 : grid.values[constant].front())) return Order{constant, true};
     if (eye > (is_far_away ? 0 : grid.values[constant].back())) return Order{constant, false};
   }

@@ -16,7 +16,7 @@ std::vector<VertexId> used_vertices(const CutMesh& mesh) {
 
 std::vector<double> values_along(const CutMesh& mesh, const std::vector<VertexId>& vertices, int axis) {
   std::vector<double> values;
-  for (const VertexId v : vertices) values.push_back(coordinate(mesh.position(v), axis));
+  for (const VertexId v : vertices) values.push_back(mesh.position(v)[axis]);
   std::sort(values.begin(), values.end());
   values.erase(std::unique(values.begin(), values.end()), values.end());
   return values;
@@ -28,7 +28,7 @@ GridPlace place_of(const HeightGrid& grid, const Point3& p) {
   GridPlace place{};
   for (std::size_t i = 0; i < 2; ++i) {
     const auto& values = grid.values[i];
-    const auto at = std::lower_bound(values.begin(), values.end(), coordinate(p, grid.ground_axes[i]));
+    const auto at = std::lower_bound(values.begin(), values.end(), p[grid.ground_axes[i]]);
     place[i] = static_cast<std::size_t>(at - values.begin());
   }
   return place;

@@ -15,10 +15,6 @@
 
 namespace sightline::peers {
 
-[[nodiscard]] constexpr double coordinate(const Vector3& v, int axis) {
-  return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
-}
-
 struct HeightGrid {
   int height_axis = 1;
   std::array<int, 2> ground_axes{};

@@ -6,35 +6,23 @@
 #include <span>
 
 #include "geometry/mesh/facet_plane.h"
+#include "geometry/projection/camera_forms.h"
 #include "geometry/projection/vertex_projection.h"
 #include "peers/lines/cohen_sutherland.h"
 
 namespace sightline::peers {
 namespace {
 
-// This is a vertex in the camera's homogeneous coordinates.
-struct CameraPoint {
-  double x = 0;
-  double y = 0;
-  double w = 1;
-  double distance = 0;  // along the view direction
-};
-
-CameraPoint in_camera(const Camera& camera, const Point3& p) {
-  const Vector3 from_origin = p - camera.origin;
-  const double distance = dot(camera.forward, from_origin);
-  const double w = camera.projection == Projection::perspective ? distance : 1;
-  return {dot(camera.right, from_origin), dot(camera.up, from_origin), w, distance};
-}
+using CameraPoint = CameraPlace<double>;
 
 double mixed(double a, double b, double t) { return a + t * (b - a); }
 
 CameraPoint mixed(const CameraPoint& p, const CameraPoint& q, double t) {
-  return {mixed(p.x, q.x, t), mixed(p.y, q.y, t), mixed(p.w, q.w, t), mixed(p.distance, q.distance, t)};
+  return {mixed(p.x, q.x, t), mixed(p.y, q.y, t), mixed(p.w, q.w, t), mixed(p.depth, q.depth, t)};
 }
 
 Corner image_of(const Camera& camera, const CameraPoint& p) {
-  const double depth = camera.projection == Projection::perspective ? -1 / p.w : p.distance;
+  const double depth = camera.projection == Projection::perspective ? -1 / p.w : p.depth;
   return {p.x / p.w, p.y / p.w, depth};
 }
 
@@ -68,8 +56,9 @@ struct ImageLine {
 
 std::optional<ImageLine> image_of(const FlatScene& scene, const std::array<VertexId, 2>& ends) {
   const Camera& camera = scene.projected->camera;
-  const CameraPoint p = in_camera(camera, scene.mesh->position(ends[0]));
-  const CameraPoint q = in_camera(camera, scene.mesh->position(ends[1]));
+  const CameraForms<double> forms(camera);
+  const CameraPoint p = forms.at(scene.mesh->position(ends[0]));
+  const CameraPoint q = forms.at(scene.mesh->position(ends[1]));
   if (p.w > 0 && q.w > 0)
     return ImageLine{{vertex_image(scene, ends[0], p), ends[0]}, {vertex_image(scene, ends[1], q), ends[1]}};
   if (p.w > 0) {

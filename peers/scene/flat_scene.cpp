@@ -10,9 +10,9 @@ namespace {
 Vector3 normal_of(const CutMesh& mesh, FacetId facet) {
   const auto corners = mesh.corners(facet);
   const Point3& first = mesh.position(corners.front());
-  Vector3 normal;
+  Vector3 normal = Vector3::Zero();
   for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
-    normal = normal + cross(mesh.position(corners[i]) - first, mesh.position(corners[i + 1]) - first);
+    normal = normal + (mesh.position(corners[i]) - first).cross(mesh.position(corners[i + 1]) - first);
   }
   return normal;
 }
@@ -20,22 +20,22 @@ Vector3 normal_of(const CutMesh& mesh, FacetId facet) {
 // A frame has what a camera's rows undo: a point at (x, y) of the window and at W is origin + W (x across + y upwards +
 // ahead), or, where orthographic and W is the distance, origin + x across + y upwards + W ahead.
 struct Frame {
-  Vector3 across;
-  Vector3 upwards;
-  Vector3 ahead;
+  Vector3 across = Vector3::Zero();
+  Vector3 upwards = Vector3::Zero();
+  Vector3 ahead = Vector3::Zero();
 };
 
 Frame frame_of(const Camera& camera) {
-  const double volume = dot(camera.right, cross(camera.up, camera.forward));
-  return {(1 / volume) * cross(camera.up, camera.forward), (1 / volume) * cross(camera.forward, camera.right),
-          (1 / volume) * cross(camera.right, camera.up)};
+  const double volume = camera.right.dot(camera.up.cross(camera.forward));
+  return {(1 / volume) * camera.up.cross(camera.forward), (1 / volume) * camera.forward.cross(camera.right),
+          (1 / volume) * camera.right.cross(camera.up)};
 }
 
 // The plane follows from normal . (point - origin) = offset, with the point as the frame has it.
 DepthPlane depth_plane(const Frame& frame, const Camera& camera, const Vector3& normal, double offset) {
-  const double a = dot(normal, frame.across);
-  const double b = dot(normal, frame.upwards);
-  const double c = dot(normal, frame.ahead);
+  const double a = normal.dot(frame.across);
+  const double b = normal.dot(frame.upwards);
+  const double c = normal.dot(frame.ahead);
   if (camera.projection == Projection::orthographic) return {-a / c, -b / c, offset / c};
   return {-a / offset, -b / offset, -c / offset};  // 1 / W = (a x + b y + c) / offset
 }
@@ -65,7 +65,7 @@ FlatScene flat_scene(const ProjectedScene& scene) {
     if (scene.status[f] != Status::in_view) continue;
     const FacetId facet{f};
     const Vector3 normal = normal_of(mesh, facet);
-    const double offset = dot(normal, mesh.position(mesh.corners(facet).front()) - scene.camera.origin);
+    const double offset = normal.dot(mesh.position(mesh.corners(facet).front()) - scene.camera.origin);
     FlatPolygon polygon{mesh.facet_face[f], facet, scene.facing[f] == Facing::front, {}, {}};
     polygon.plane = depth_plane(frame, scene.camera, normal, offset);
     if (!is_finite(polygon.plane)) continue;

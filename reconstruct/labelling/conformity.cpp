@@ -59,7 +59,7 @@ std::span<const Link> leaving_from(const Chain& links, VertexId v) {
 std::vector<VertexId> weld(const std::vector<Point3>& vertices) {
   const auto position = [&](VertexId v) {
     const Point3& p = vertices[v.index()];
-    return std::tuple(p.x, p.y, p.z);
+    return std::tuple(p.x(), p.y(), p.z());
   };
   std::vector<VertexId> order;
   for (std::size_t v = 0; v < vertices.size(); ++v) order.emplace_back(v);
@@ -170,7 +170,7 @@ class Conformity {
   };
   [[nodiscard]] static Detour detour(const Point3& a, const Point3& b, const Point3& p) {
     const double length = norm(b - a);
-    const double along = std::clamp(dot((1 / length) * (p - a), (1 / length) * (b - a)), 0.0, 1.0);
+    const double along = std::clamp(((1 / length) * (p - a)).dot((1 / length) * (b - a)), 0.0, 1.0);
     return {along, norm(p - (a + along * (b - a)))};
   }
 

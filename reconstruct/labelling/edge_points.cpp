@@ -17,8 +17,8 @@ EdgePoints::EdgePoints(const ProjectedScene& scene, const VisibleSegments& segme
     if (a.edge != b.edge) return a.edge < b.edge;
     if (a.point != b.point) return before_on_edge(a, b, points);
     const auto key = [](const Candidate& c) {
-      const Point3 p = c.made != nullptr ? c.made->position : Point3{};
-      return std::tuple(c.made == nullptr, p.x, p.y, p.z);
+      const Point3 p = c.made != nullptr ? c.made->position : Point3::Zero();
+      return std::tuple(c.made == nullptr, p.x(), p.y(), p.z());
     };
     return key(a) < key(b);
   });

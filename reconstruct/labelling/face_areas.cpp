@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "geometry/mesh/facet_plane.h"
+#include "geometry/projection/camera_forms.h"
 
 namespace sightline::inline reconstruct {
 namespace {
@@ -50,20 +51,18 @@ class Sum {
   std::array<double, 3> parts_{};
 };
 
-double component(const Vector3& v, int axis) { return axis == 0 ? v.x : (axis == 1 ? v.y : v.z); }
-
 // This triangle has its coordinates divided by a power of two, so that squares neither overflow nor vanish.
 struct ScaledTriangle {
-  Vector3 twice_area;  // as a vector
+  Vector3 twice_area = Vector3::Zero();  // as a vector
   double perimeter = 0;
 
   ScaledTriangle(const Point3& a, const Point3& b, const Point3& c, int exponent) {
     const auto scaled = [exponent](const Point3& p) {
-      return Point3{std::ldexp(p.x, -exponent), std::ldexp(p.y, -exponent), std::ldexp(p.z, -exponent)};
+      return Point3{std::ldexp(p.x(), -exponent), std::ldexp(p.y(), -exponent), std::ldexp(p.z(), -exponent)};
     };
     const Vector3 ab = scaled(b) - scaled(a);
     const Vector3 ac = scaled(c) - scaled(a);
-    twice_area = cross(ab, ac);
+    twice_area = ab.cross(ac);
     perimeter = (norm(ab) + norm(ac)) + norm(ac - ab);
   }
   [[nodiscard]] double area() const { return norm(twice_area) / 2; }
@@ -74,14 +73,13 @@ struct ScaledTriangle {
 // way it had no width, and the width changes by twice that at most.
 bool is_narrow(const std::array<Point3, 3>& corners, const ProjectedScene& scene) {
   constexpr double widest = 1.5;
-  const Camera& camera = scene.camera;
+  const CameraForms<double> forms(scene.camera);
   std::array<Point2, 3> p;
   for (std::size_t i = 0; i < 3; ++i) {
-    const Vector3 offset = corners[i] - camera.origin;
-    const bool pinhole = camera.projection == Projection::perspective;
-    const double w = std::ldexp(pinhole ? dot(camera.forward, offset) : 1, -scene.grid_bits);
+    const CameraPlace<double> place = forms.at(corners[i]);
+    const double w = std::ldexp(place.w, -scene.grid_bits);
     if (!(w > 0)) return false;
-    p[i] = {dot(camera.right, offset) / w, dot(camera.up, offset) / w};
+    p[i] = {place.x / w, place.y / w};
   }
   const double twice_area = (p[1].x - p[0].x) * (p[2].y - p[0].y) - (p[1].y - p[0].y) * (p[2].x - p[0].x);
   double longest = 0;
@@ -125,7 +123,7 @@ class FaceCheck {
     for (std::size_t f = uncut_.first_facet(face); f < uncut_.end_facet(face); ++f) {
       for (const VertexId v : uncut_.corners(FacetId(f))) {
         const Point3& p = uncut_.position(v);
-        largest = std::max({largest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
+        largest = std::max(largest, largest_coordinate(p));
       }
     }
     exponent_ = std::ilogb(largest) + 1;  // M is now at most 1
@@ -148,7 +146,7 @@ class FaceCheck {
     const LabelledTriangle& triangle = labelled_.triangles[index];
     const auto corners = positions(labelled_.vertices, triangle.corners);
     const ScaledTriangle piece = scaled(corners);
-    const double seen_area = seen.sign * component(piece.twice_area, seen.axis) / 2;
+    const double seen_area = seen.sign * piece.twice_area[seen.axis] / 2;
     const double off_by = rounding_ * piece.perimeter;
     const bool is_turned = seen_area < -off_by;
     surplus_ += is_turned ? -piece.area() : piece.area();
@@ -164,7 +162,7 @@ class FaceCheck {
     const auto corners = positions(mesh_.vertices, plane_corners(mesh_, surface));
     const Vector3 normal = scaled(corners).twice_area;
     std::array<int, 3> axes{0, 1, 2};
-    std::ranges::sort(axes, std::greater{}, [&](int axis) { return std::fabs(component(normal, axis)); });
+    std::ranges::sort(axes, std::greater{}, [&](int axis) { return std::fabs(normal[axis]); });
     const auto dropped = [&](std::size_t corner, int axis) { return drop_axis(corners[corner], axis); };
     for (const int axis : axes) {
       const Sign sign = orient2d(dropped(0, axis), dropped(1, axis), dropped(2, axis));

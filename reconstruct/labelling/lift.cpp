@@ -32,7 +32,7 @@ std::array<double, N> relative_weights(std::array<double, N> weights) {
 
 // This is a corner in space.
 struct LiftedCorner {
-  Point3 position;
+  Point3 position = Point3::Zero();
   double weight = 1;  // perspective weight, W
 };
 

@@ -15,12 +15,12 @@ void SurfacePoints::sort() {
 void SurfacePoints::place_in_plane(const Point3& a, const Point3& b, const Point3& c, const NewVertices& vertices) {
   const Vector3 ab = b - a;
   const Vector3 x_axis = (1 / norm(ab)) * ab;
-  const Vector3 normal = cross(x_axis, c - a);
-  const Vector3 y_axis = (1 / norm(normal)) * cross(normal, x_axis);
+  const Vector3 normal = x_axis.cross(c - a);
+  const Vector3 y_axis = (1 / norm(normal)) * normal.cross(x_axis);
   placed_ = true;
   for (Entry& entry : entries_) {
     const Vector3 d = vertices[entry.vertex] - a;
-    entry.in_plane = {dot(d, x_axis), dot(d, y_axis)};
+    entry.in_plane = {d.dot(x_axis), d.dot(y_axis)};
     placed_ = placed_ && std::isfinite(entry.in_plane.x) && std::isfinite(entry.in_plane.y);
   }
 }

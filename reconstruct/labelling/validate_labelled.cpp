@@ -20,8 +20,8 @@ std::string triangle_name(std::size_t t) { return "triangle " + std::to_string(t
 
 bool same_bits(const Point3& a, const Point3& b) {
   const auto bits = [](const Point3& p) {
-    return std::array{std::bit_cast<std::uint64_t>(p.x), std::bit_cast<std::uint64_t>(p.y),
-                      std::bit_cast<std::uint64_t>(p.z)};
+    return std::array{std::bit_cast<std::uint64_t>(p.x()), std::bit_cast<std::uint64_t>(p.y()),
+                      std::bit_cast<std::uint64_t>(p.z())};
   };
   return bits(a) == bits(b);
 }
@@ -33,7 +33,7 @@ void check_vertices(const LabelledMesh& labelled, const CutMesh& mesh, Messages&
   }
   for (std::size_t v = 0; v < labelled.vertices.size(); ++v) {
     const Point3& p = labelled.vertices[v];
-    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
+    if (!std::isfinite(p.x()) || !std::isfinite(p.y()) || !std::isfinite(p.z()))
       messages.push_back(name(VertexId(v)) + " is not finite");
     if (v < mesh.input_vertex_count() && !same_bits(p, mesh.vertices[v]))
       messages.push_back(name(VertexId(v)) + " is not where the input has it");

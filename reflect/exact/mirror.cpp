@@ -74,12 +74,12 @@ const Mirror::PanelImage& Mirror::image_of(std::size_t panel) {
   if (!is_new) return image;
   const CutMesh& mesh = world_.panel_meshes[panel];
   const ExactPlane& plane = world_.panel_planes[panel];
-  const BallForm ball = ball_form(plane_points(mesh, FacetId(0)));
-  const auto certain = certain_side_of_centre(forms_, scene_.camera, ball);
+  const BoundedForm form = bounded_form(plane_points(mesh, FacetId(0)));
+  const auto certain = certain_side_of_centre(forms_, scene_.camera, form);
   const Sign side = certain ? *certain : exact_view().side_of_centre(plane);
   if (side == 0 || (side < 0 && world_.panels[panel].emits == Emits::front)) return image;
   image.towards_centre = side > 0 ? plane : plane.turned();
-  image.towards_centre_ball = side > 0 ? ball : -ball;
+  image.towards_centre_form = side > 0 ? form : -form;
   for (std::size_t f = 0; f < mesh.facet_count(); ++f) {
     auto polygon = certain_image(forms_, scene_.camera, corners_of(mesh, WholeId(f)), scene_.grid_bits);
     add_if_any(image.polygons, polygon ? *std::move(polygon) : exact_view().image(whole_polygon(mesh, WholeId(f))));
@@ -107,10 +107,10 @@ std::vector<ImagePolygon> Mirror::shadows(const WindowPart& part, std::size_t pa
   return shadows;
 }
 
-// Balls decide nearly always; what they leave open is computed exactly.
+// Certified numbers decide nearly always.
 ImagePolygon Mirror::shadow(const CutMesh& mesh, WholeId obstacle, const PanelImage& image) {
   const std::vector<Point3> corners = corners_of(mesh, obstacle);
-  if (image.towards_centre_ball.is_positive_at(corners)) {
+  if (image.towards_centre_form.is_positive_at(corners)) {
     if (auto certain = certain_image(forms_, scene_.camera, corners, scene_.grid_bits)) return *std::move(certain);
   }
   const CutPolygon before_panel = part_in_front(whole_polygon(mesh, obstacle), image.towards_centre);

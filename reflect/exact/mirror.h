@@ -43,7 +43,7 @@ class Mirror {
     std::vector<ImagePolygon> polygons;
     WindowPart part;
     ExactPlane towards_centre;  // the panel's plane, with the mirror camera in front
-    BallForm towards_centre_ball;
+    BoundedForm towards_centre_form;
   };
 
   [[nodiscard]] const PanelImage& image_of(std::size_t panel);

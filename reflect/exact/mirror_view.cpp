@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "geometry/projection/camera_forms.h"
 #include "geometry/projection/clipping.h"
 
 namespace sightline::inline reflect {
@@ -11,25 +12,19 @@ namespace {
 ExactPlane sum(const ExactPlane& p, const ExactPlane& q) { return {p.a + q.a, p.b + q.b, p.c + q.c, p.d + q.d}; }
 
 // A camera's X, Y and W are forms with integer coefficients over one common positive factor.
-struct CameraForms {
+struct CameraPlanes {
   ExactPlane x, y, w;
 };
 
-CameraForms camera_forms(const Camera& camera) {
-  std::vector<double> values{1.0};
-  for (const Vector3& v : {camera.right, camera.up, camera.forward, camera.origin})
-    values.insert(values.end(), {v.x, v.y, v.z});
-  const int lowest = exponent_range(values).lowest;
-  const auto integer = [lowest](double value) { return scaled<BigInteger>(value, lowest); };
-  const BigInteger unit = integer(1.0);
+CameraPlanes camera_planes(const Camera& camera) {
+  const CameraForms<BigInteger> forms = integer_forms(camera, common_exponent(camera));
+  const BigInteger& unit = forms.unit;
   // The form is row . (v - origin), times unit * unit.
-  const auto form = [&](const Vector3& row) {
-    const BigInteger at_origin = integer(row.x) * integer(camera.origin.x) + integer(row.y) * integer(camera.origin.y) +
-                                 integer(row.z) * integer(camera.origin.z);
-    return ExactPlane{integer(row.x) * unit, integer(row.y) * unit, integer(row.z) * unit, -at_origin};
+  const auto plane = [&](const CameraForms<BigInteger>::Vector& row) {
+    return ExactPlane{row.x() * unit, row.y() * unit, row.z() * unit, -forms.value(row, forms.origin)};
   };
-  const bool perspective = camera.projection == Projection::perspective;
-  return {form(camera.right), form(camera.up), perspective ? form(camera.forward) : ExactPlane{0, 0, 0, unit * unit}};
+  return {plane(forms.right), plane(forms.up),
+          forms.perspective ? plane(forms.forward) : ExactPlane{0, 0, 0, forms.one}};
 }
 
 // Returns the form that gives a point what `form` gives its mirror image, times n . n > 0: a point v has the image v -
@@ -57,11 +52,11 @@ ExactPosition exact_eye(const Camera& camera) {
 
 MirrorView::MirrorView(const Camera& camera, const ExactPlane& mirror, int grid_bits)
     : mirror_(mirror), centre_(mirrored(exact_eye(camera), mirror)), grid_bits_(grid_bits) {
-  const CameraForms forms = camera_forms(camera);
-  x_ = in_mirror(forms.x, mirror);
-  y_ = in_mirror(forms.y, mirror);
+  const CameraPlanes planes = camera_planes(camera);
+  x_ = in_mirror(planes.x, mirror);
+  y_ = in_mirror(planes.y, mirror);
   // The constant form of an orthographic camera stays itself, times the same factor.
-  w_ = in_mirror(forms.w, mirror);
+  w_ = in_mirror(planes.w, mirror);
   bounds_ = {sum(w_, x_), sum(w_, x_.turned()), sum(w_, y_), sum(w_, y_.turned())};
 }
 

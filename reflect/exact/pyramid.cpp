@@ -9,12 +9,14 @@ WindowPart common_part(const WindowPart& a, const WindowPart& b) {
 }
 
 Pyramid::Pyramid(const MirroredForms& forms, const WindowPart& part)
-    : forms_{forms.x - exactly(part.left) * forms.w, exactly(part.right) * forms.w - forms.x,
-             forms.y - exactly(part.bottom) * forms.w, exactly(part.top) * forms.w - forms.y, forms.mirror} {}
+    : forms_{forms.x - part.left * forms.w, part.right * forms.w - forms.x, forms.y - part.bottom * forms.w,
+             part.top * forms.w - forms.y, forms.mirror} {}
 
 bool Pyramid::may_touch(const Box& box) const {
-  const BallVector ball = ball_around(box);
-  return std::none_of(forms_.begin(), forms_.end(), [&](const BallForm& form) { return form.at(ball).is_negative(); });
+  const BoundedVector place{bounded_around(box.low.x(), box.high.x()), bounded_around(box.low.y(), box.high.y()),
+                            bounded_around(box.low.z(), box.high.z())};
+  return std::none_of(forms_.begin(), forms_.end(),
+                      [&](const BoundedForm& form) { return form.at(place).is_negative(); });
 }
 
 }  // namespace sightline::inline reflect

@@ -2,8 +2,7 @@
 // "perhaps".
 //
 // In:  the camera's forms in the mirror; a rectangle of the window.
-// Out: whether a box may have a point in the pyramid. False is proven: every number is a ball (ball.h) that holds the
-//      true one. What is true may yet have no point in it.
+// Out: whether a box may have a point in the pyramid. False is proven: every number (bounded.h) holds the true one. What is true may yet have no point in it.
 // Complexity: O(1).
 // Source: Koucky 2014, 3.9 (pyramid C_r, figure 3.10).
 #pragma once
@@ -34,7 +33,7 @@ class Pyramid {
   [[nodiscard]] bool may_touch(const Box& box) const;
 
  private:
-  std::array<BallForm, 5> forms_;  // left, right, bottom, top, mirror: what is in the pyramid has no negative value
+  std::array<BoundedForm, 5> forms_;  // left, right, bottom, top, mirror: what is in the pyramid has no negative value
 };
 
 }  // namespace sightline::inline reflect

@@ -17,13 +17,13 @@ std::array<std::size_t, 3> corners_of(std::size_t half) {
 
 // Returns a number > 0 where the ray passes the edge from p to q on the left, seen along the ray.
 double passing_side(const MirroredRay& ray, const Point3& p, const Point3& q) {
-  return -dot(ray.direction, cross(p - ray.point, q - ray.point));
+  return -ray.direction.dot((p - ray.point).cross(q - ray.point));
 }
 
 // Returns the plane through the ray and a direction beside it, with another direction in front.
 PlaneForm plane_beside(const MirroredRay& ray, const Vector3& direction, const Vector3& front) {
-  const Vector3 normal = cross(ray.direction, direction);
-  return plane_across(dot(normal, front) < 0 ? -1 * normal : normal, ray.point);
+  const Vector3 normal = ray.direction.cross(direction);
+  return plane_across(normal.dot(front) < 0 ? -1 * normal : normal, ray.point);
 }
 
 }  // namespace

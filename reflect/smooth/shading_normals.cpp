@@ -11,10 +11,10 @@ namespace {
 
 // Returns the normal at the face's corner that is this vertex; zero where there are none.
 Vector3 normal_at(const CutMesh& mesh, const std::vector<Vector3>& normals, FaceId face, VertexId vertex) {
-  if (normals.empty()) return {};
+  if (normals.empty()) return Vector3::Zero();
   const auto corners = mesh.faces[face.index()];
   const auto corner = std::ranges::find(corners, vertex);
-  if (corner == corners.end()) return {};
+  if (corner == corners.end()) return Vector3::Zero();
   return normals[mesh.faces.begin[face.index()] + static_cast<std::size_t>(corner - corners.begin())];
 }
 
@@ -29,7 +29,7 @@ WholeId whole_of(const CutMesh& mesh, std::size_t facet) {
 ShadingNormals::ShadingNormals(const CutMesh& mesh, const std::vector<Vector3>& vertex_normals, FacetId surface) {
   const std::array<Point3, 3> plane = plane_points(mesh, surface);
   scale_ = unit_scale(plane);
-  plane_normal_ = unit(cross(scale_ * plane[1] - scale_ * plane[0], scale_ * plane[2] - scale_ * plane[0]));
+  plane_normal_ = unit((scale_ * plane[1] - scale_ * plane[0]).cross(scale_ * plane[2] - scale_ * plane[0]));
   WholeId last;
   for (std::size_t f = surface.index(); f < end_of_surface(mesh, surface).index(); ++f) {
     const WholeId whole = whole_of(mesh, f);
@@ -43,32 +43,32 @@ ShadingNormals::ShadingNormals(const CutMesh& mesh, const std::vector<Vector3>& 
 
 void ShadingNormals::add(const CutMesh& mesh, const std::vector<Vector3>& vertex_normals, FaceId face,
                          const std::array<VertexId, 3>& corners) {
-  const auto position = [&](std::size_t i) { return scale_ * mesh.position(corners[i]); };
+  const auto position = [&](std::size_t i) -> Vector3 { return scale_ * mesh.position(corners[i]); };
   const Vector3 second = position(1) - position(0);
   const Vector3 third = position(2) - position(0);
-  const Vector3 normal = cross(second, third);
-  const double square = dot(normal, normal);
+  const Vector3 normal = second.cross(third);
+  const double square = normal.dot(normal);
   if (!(square > 0)) return;
-  Triangle triangle{position(0), (1 / square) * cross(third, normal), (1 / square) * cross(normal, second), {}};
+  Triangle triangle{position(0), (1 / square) * third.cross(normal), (1 / square) * normal.cross(second), {}};
   for (std::size_t i = 0; i < 3; ++i) triangle.normals[i] = normal_at(mesh, vertex_normals, face, corners[i]);
   triangles_.push_back(triangle);
 }
 
 Vector3 ShadingNormals::at(const Point3& p) const {
-  Vector3 found;
+  Vector3 found = Vector3::Zero();
   double least_of_found = 0;
   for (const Triangle& triangle : triangles_) {
     const Vector3 from_first = scale_ * p - triangle.first;
-    const double second = dot(from_first, triangle.to_second);
-    const double third = dot(from_first, triangle.to_third);
+    const double second = from_first.dot(triangle.to_second);
+    const double third = from_first.dot(triangle.to_third);
     const double least = std::min({1 - second - third, second, third});
-    if (found != Vector3{} && least <= least_of_found) continue;
+    if (found != Vector3::Zero() && least <= least_of_found) continue;
     least_of_found = least;
     found = clamped(1 - second - third) * triangle.normals[0] + clamped(second) * triangle.normals[1] +
             clamped(third) * triangle.normals[2];
   }
   const Vector3 normal = unit(found);
-  return normal == Vector3{} ? plane_normal_ : normal;
+  return normal == Vector3::Zero() ? plane_normal_ : normal;
 }
 
 }  // namespace sightline::inline reflect

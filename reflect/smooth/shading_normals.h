@@ -26,9 +26,9 @@ class ShadingNormals {
  private:
   // A point a + u + v has the barycentric coordinate (u + v) . to_second at the second corner, and so on.
   struct Triangle {
-    Point3 first;
-    Vector3 to_second;
-    Vector3 to_third;
+    Point3 first = Point3::Zero();
+    Vector3 to_second = Vector3::Zero();
+    Vector3 to_third = Vector3::Zero();
     std::array<Vector3, 3> normals;
   };
 
@@ -36,7 +36,7 @@ class ShadingNormals {
            const std::array<VertexId, 3>& corners);
 
   double scale_;
-  Vector3 plane_normal_;
+  Vector3 plane_normal_ = Vector3::Zero();
   std::vector<Triangle> triangles_;
 };
 

@@ -6,10 +6,10 @@ namespace sightline::inline reflect {
 namespace {
 
 Vector3 mirrored(const Vector3& direction, const Vector3& normal) {
-  return direction - (2 * dot(direction, normal)) * normal;
+  return direction - (2 * direction.dot(normal)) * normal;
 }
 
-bool is_finite(const Vector3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+bool is_finite(const Vector3& v) { return std::isfinite(v.x()) && std::isfinite(v.y()) && std::isfinite(v.z()); }
 
 }  // namespace
 
@@ -19,9 +19,9 @@ SmoothRays::SmoothRays(const Camera& camera, const ShadingNormals& normals, cons
       origin_(scale * (perspective_ ? camera.eye.xyz : camera.origin)),
       normals_(normals),
       point_of_plane_(scale * point_of_plane) {
-  const std::array across{cross(camera.up, camera.forward), cross(camera.forward, camera.right),
-                          cross(camera.right, camera.up)};
-  const double determinant = dot(camera.right, across[0]);
+  const std::array across{camera.up.cross(camera.forward), camera.forward.cross(camera.right),
+                          camera.right.cross(camera.up)};
+  const double determinant = camera.right.dot(across[0]);
   for (std::size_t i = 0; i < 3; ++i) axes_[i] = (1 / determinant) * across[i];
 }
 
@@ -34,15 +34,15 @@ SmoothRays::Ray SmoothRays::ray_through(double x, double y) const {
 std::optional<MirroredRay> SmoothRays::at(double x, double y) const {
   const Ray ray = ray_through(x, y);
   const Vector3& plane_normal = normals_.of_plane();
-  const double towards = dot(plane_normal, ray.direction);
-  const double distance = dot(plane_normal, point_of_plane_ - ray.point) / towards;
+  const double towards = plane_normal.dot(ray.direction);
+  const double distance = plane_normal.dot(point_of_plane_ - ray.point) / towards;
   const Point3 place = ray.point + distance * ray.direction;
   if (!is_finite(place) || (perspective_ && distance <= 0)) return std::nullopt;
   const Vector3 normal = normals_.at((1 / scale_) * place);
   MirroredRay result;
   result.direction = mirrored(ray.direction, normal);
   result.point = perspective_ ? place + mirrored(ray.point - place, normal) : place;
-  result.rise = (towards < 0 ? 1 : -1) * dot(plane_normal, result.direction);
+  result.rise = (towards < 0 ? 1 : -1) * plane_normal.dot(result.direction);
   result.rightward = mirrored(axes_[0], normal);
   result.upward = mirrored(axes_[1], normal);
   if (!is_finite(result.point) || !is_finite(result.direction)) return std::nullopt;

@@ -17,11 +17,11 @@
 namespace sightline::inline reflect {
 
 struct MirroredRay {
-  Point3 point;
-  Vector3 direction;
-  double rise = 0;    // the direction's part along the plane's normal that points to the camera
-  Vector3 rightward;  // the directions of the image, mirrored
-  Vector3 upward;
+  Point3 point = Point3::Zero();
+  Vector3 direction = Vector3::Zero();
+  double rise = 0;                      // the direction's part along the plane's normal that points to the camera
+  Vector3 rightward = Vector3::Zero();  // the directions of the image, mirrored
+  Vector3 upward = Vector3::Zero();
 };
 
 class SmoothRays {
@@ -33,17 +33,17 @@ class SmoothRays {
  private:
   // This is a ray of the camera.
   struct Ray {
-    Point3 point;
-    Vector3 direction;
+    Point3 point = Point3::Zero();
+    Vector3 direction = Vector3::Zero();
   };
   [[nodiscard]] Ray ray_through(double x, double y) const;
 
   bool perspective_;
   double scale_;
-  Point3 origin_;
+  Point3 origin_ = Point3::Zero();
   std::array<Vector3, 3> axes_;  // right . axes_[0] = 1, up . axes_[0] = 0, and so on
   const ShadingNormals& normals_;
-  Point3 point_of_plane_;
+  Point3 point_of_plane_ = Point3::Zero();
 };
 
 }  // namespace sightline::inline reflect

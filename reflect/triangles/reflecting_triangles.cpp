@@ -11,8 +11,8 @@ namespace sightline::inline reflect {
 namespace {
 
 struct Ray {
-  Point3 from;
-  Vector3 direction;
+  Point3 from = Point3::Zero();
+  Vector3 direction = Vector3::Zero();
 };
 
 // This is a panel as rays meet it.
@@ -23,7 +23,7 @@ class PanelTarget {
     const auto [a, b, c] = plane_points(world.panel_meshes[panel], FacetId(0));
     plane_ = plane_form(world.scale * a, world.scale * b, world.scale * c);
     const Vector3& n = plane_.normal;
-    const std::array sizes{std::fabs(n.x), std::fabs(n.y), std::fabs(n.z)};
+    const std::array sizes{std::fabs(n.x()), std::fabs(n.y()), std::fabs(n.z())};
     axis_ = static_cast<int>(std::ranges::max_element(sizes) - sizes.begin());
   }
 
@@ -32,7 +32,7 @@ class PanelTarget {
   // Returns whether the ray, beyond its start, meets the panel on a side that emits.
   [[nodiscard]] bool is_met_by(const Ray& ray) const {
     const double height = plane_.at(ray.from);
-    const double distance = -height / dot(plane_.normal, ray.direction);
+    const double distance = -height / plane_.normal.dot(ray.direction);
     if (!(distance > 0) || !std::isfinite(distance)) return false;
     return (emits_ == Emits::both || height > 0) && contains(ray.from + distance * ray.direction);
   }
@@ -132,7 +132,7 @@ class Marker {
       const Vector3 incoming = eye_.w == 0 ? forward_ : from - eye_.xyz;
       const Vector3 normal =
           world_.normals.empty() ? normals_->of_plane() : normals_->at(labelled_.vertices[triangle.corners[i].index()]);
-      rays[i] = {from, incoming - (2 * dot(incoming, normal)) * normal};
+      rays[i] = {from, incoming - (2 * incoming.dot(normal)) * normal};
     }
     return rays;
   }
@@ -142,7 +142,7 @@ class Marker {
     ++statistics_.pyramids;
     std::array corners{corner(triangle, 0), corner(triangle, 1), corner(triangle, 2)};
     const PlaneForm plane = plane_form(corners[0], corners[1], corners[2]);
-    const double towards = eye_.w == 0 ? dot(plane.normal, eye_.xyz) : plane.at(eye_.xyz);
+    const double towards = eye_.w == 0 ? plane.normal.dot(eye_.xyz) : plane.at(eye_.xyz);
     if (towards < 0) std::swap(corners[1], corners[2]);
     bool blocked = false;
     vertices_.for_each_in(VertexPyramid(corners, eye_, targets_[panel].plane()), [&](VertexId v) {
@@ -157,7 +157,7 @@ class Marker {
   const LabelledMesh& labelled_;
   ReflectionStatistics& statistics_;
   VertexSearch vertices_;
-  Vector3 forward_;
+  Vector3 forward_ = Vector3::Zero();
   HomogeneousPoint eye_;
   std::vector<PanelTarget> targets_;
   std::optional<ShadingNormals> normals_;  // of surface_

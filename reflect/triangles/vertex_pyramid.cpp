@@ -14,13 +14,13 @@ PlaneForm turned_towards(const PlaneForm& plane, const Point3& p) {
 VertexPyramid::VertexPyramid(const std::array<Point3, 3>& triangle, const HomogeneousPoint& eye,
                              const PlaneForm& panel) {
   const PlaneForm mirror = plane_form(triangle[0], triangle[1], triangle[2]);
-  const auto mirrored = [&](const Vector3& v) { return v - (2 * dot(v, mirror.normal)) * mirror.normal; };
+  const auto mirrored = [&](const Vector3& v) -> Vector3 { return v - (2 * v.dot(mirror.normal)) * mirror.normal; };
   const Point3 middle = (1.0 / 3) * (triangle[0] + triangle[1] + triangle[2]);
   for (std::size_t i = 0; i < 3; ++i) {
     const Point3& p = triangle[i];
     const Point3& q = triangle[(i + 1) % 3];
     const Vector3 to_centre = mirrored(eye.w == 0 ? eye.xyz : eye.xyz - p);
-    forms_[i] = turned_towards(plane_across(cross(q - p, to_centre), p), triangle[(i + 2) % 3]);
+    forms_[i] = turned_towards(plane_across((q - p).cross(to_centre), p), triangle[(i + 2) % 3]);
   }
   forms_[3] = mirror;
   forms_[4] = turned_towards(panel, middle);

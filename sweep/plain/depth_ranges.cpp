@@ -3,52 +3,34 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/numbers/bounded.h"
 #include "geometry/numbers/parallel.h"
-#include "geometry/numbers/rounding.h"
+#include "geometry/projection/camera_forms.h"
 
 namespace sightline::inline sweep {
 namespace {
 
-// The depth is forward . (p - origin). A corner that clipping or cutting made is rounded once (1 u of its coordinates),
-// the difference once, the product once, and the sums twice: 5 u of the absolute values, and 8 u covers the roundings
-// of the bound. An underflow costs less than 2^-1000.
-struct Depth {
-  double value = 0;
-  double error = 0;
-};
-
-constexpr double depth_bound = 8 * unit_roundoff;
-static_assert(depth_bound >= (5 + 16 * unit_roundoff) * unit_roundoff * (1 + 8 * unit_roundoff));
-
-Depth depth_of(const Camera& camera, const Point3& p) {
-  Depth depth;
-  double sum = 0;
-  const auto add = [&](double factor, double coordinate, double origin) {
-    depth.value += factor * (coordinate - origin);
-    sum += std::fabs(factor) * (std::fabs(coordinate) + std::fabs(origin));
-  };
-  add(camera.forward.x, p.x, camera.origin.x);
-  add(camera.forward.y, p.y, camera.origin.y);
-  add(camera.forward.z, p.z, camera.origin.z);
-  depth.error = depth_bound * sum + 0x1p-1000;
-  return depth;
+// A corner that clipping or cutting made is rounded once.
+BoundedVector rounded_once(const Point3& p) {
+  return p.unaryExpr([](double c) { return Bounded{c, Bounded::widened(unit_roundoff * std::fabs(c))}; });
 }
 
 // A depth that overflows is no number, and bounds nothing.
-DepthRange range_of(const Depth& depth) {
+DepthRange range_of(const Bounded& depth) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  if (!(depth.error < infinity)) return {-infinity, infinity};
-  return {depth.value - depth.error, depth.value + depth.error};
+  if (!(depth.radius < infinity)) return {-infinity, infinity};
+  return {depth.value - depth.radius, depth.value + depth.radius};
 }
 
 }  // namespace
 
 std::vector<DepthRange> depth_ranges(const ProjectedScene& scene) {
   std::vector<DepthRange> ranges(scene.status.size());
+  const CameraForms<Bounded> forms(scene.camera);
   parallel_for_each(ranges.size(), [&](std::size_t f) {
     DepthRange& range = ranges[f];
     for (const ClippedCorner& corner : scene.polygon(FacetId(f))) {
-      const DepthRange here = range_of(depth_of(scene.camera, position_of(scene, corner)));
+      const DepthRange here = range_of(forms.depth_at(rounded_once(position_of(scene, corner))));
       range.nearest = std::min(range.nearest, here.nearest);
       range.farthest = std::max(range.farthest, here.farthest);
     }

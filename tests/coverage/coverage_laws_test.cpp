@@ -154,9 +154,9 @@ void check_against_sweeps(const Coverage& coverage, const SeenScene& scene) {
 
 // Returns whether p, in the triangle's plane but for rounding, is in it; the triangle may have either orientation.
 bool is_in(const SpaceTriangle& t, const Point3& p) {
-  const Vector3 normal = cross(t[1] - t[0], t[2] - t[0]);
+  const Vector3 normal = (t[1] - t[0]).cross(t[2] - t[0]);
   for (std::size_t i = 0; i < 3; ++i) {
-    if (dot(normal, cross(t[(i + 1) % 3] - t[i], p - t[i])) < 0) return false;
+    if (normal.dot((t[(i + 1) % 3] - t[i]).cross(p - t[i])) < 0) return false;
   }
   return true;
 }

@@ -82,18 +82,22 @@ TEST_CASE("corners that rounding has moved off the surface come back to it") {
 TEST_CASE("the share is the same at every scale, far away, in every plane") {
   for (const double scale : {0x1p-1060, 0x1p-500, 1.0, 0x1p500, 0x1p1020}) {
     CAPTURE(scale);
-    check_share(mapped_share(overlapping, [&](const Point3& p) { return scale * p; }), 7.0 / 16);
+    check_share(mapped_share(overlapping, [&](const Point3& p) -> Vector3 { return scale * p; }), 7.0 / 16);
     check_share(mapped_share(overlapping,
-                             [&](const Point3& p) {
-                               return scale * Point3{p.y, p.x - p.y, p.x};
+                             [&](const Point3& p) -> Vector3 {
+                               return scale * Point3{p.y(), p.x() - p.y(), p.x()};
                              }),
                 7.0 / 16);
   }
-  check_share(mapped_share(overlapping, [](const Point3& p) { return p + Point3{1e9, -1e9, 1e9}; }), 7.0 / 16);
-  check_share(mapped_share(overlapping, [](const Point3& p) { return Point3{1e9, p.x, p.y / 1024}; }), 7.0 / 16);
+  check_share(mapped_share(overlapping,
+                           [](const Point3& p) -> Vector3 {
+                             return p + Point3{1e9, -1e9, 1e9};
+                           }),
+              7.0 / 16);
+  check_share(mapped_share(overlapping, [](const Point3& p) { return Point3{1e9, p.x(), p.y() / 1024}; }), 7.0 / 16);
   check_share(mapped_share(overlapping,
                            [](const Point3& p) {
-                             return Point3{0x1p1022 * (p.x - 2), p.y, p.x};
+                             return Point3{0x1p1022 * (p.x() - 2), p.y(), p.x()};
                            }),
               7.0 / 16);
 }
@@ -103,7 +107,7 @@ TEST_CASE("on a needle the bound is wider, and holds") {
     CAPTURE(bits);
     const double width = std::ldexp(1.0, -bits);
     // The needle lies along the diagonal, so that it fills little of its rectangle.
-    const auto needle = [&](const Point3& p) { return Point3{p.x + width * p.y, p.x - width * p.y, 0}; };
+    const auto needle = [&](const Point3& p) { return Point3{p.x() + width * p.y(), p.x() - width * p.y(), 0}; };
     const UnionShare found = mapped_share(overlapping, needle);
     CHECK(std::fabs(found.share - 7.0 / 16) <= found.error);
     CHECK(found.error <= std::ldexp(1.0, bits - 30));

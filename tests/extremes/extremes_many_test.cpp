@@ -47,9 +47,9 @@ std::vector<Rational> painted_areas(const Mesh& mesh, const Camera& camera) {
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
     const Point3& low = mesh.position(mesh.faces[f][0]);
     const Point3& high = mesh.position(mesh.faces[f][2]);
-    const double half_width = camera.projection == Projection::perspective ? 8 - low.z : 8;
-    for (std::size_t y = square_at(low.y, half_width); y < square_at(high.y, half_width); ++y) {
-      for (std::size_t x = square_at(low.x, half_width); x < square_at(high.x, half_width); ++x) {
+    const double half_width = camera.projection == Projection::perspective ? 8 - low.z() : 8;
+    for (std::size_t y = square_at(low.y(), half_width); y < square_at(high.y(), half_width); ++y) {
+      for (std::size_t x = square_at(low.x(), half_width); x < square_at(high.x(), half_width); ++x) {
         if (std::exchange(taken[y * squares + x], 1) == 0) areas[f] += Rational(4, squares * squares);
       }
     }
@@ -93,7 +93,7 @@ TEST_CASE("extreme scene grid_head_on: as painted on squared paper") {
   }
   check_part(scene, [&](FaceId f) {
     const Point3& low = scene.mesh.position(scene.mesh.faces[f.index()].front());
-    return low.x >= -2 && low.x < 0 && low.y >= -2 && low.y < 0;
+    return low.x() >= -2 && low.x() < 0 && low.y() >= -2 && low.y() < 0;
   });
 }
 
@@ -102,7 +102,7 @@ TEST_CASE("extreme scene touching_cubes: from straight above five cubes of the f
   const Sight& straight = scene.from("straight");
   CHECK(is_exact(scene.mesh, straight));
   for (std::size_t f = 0; f < straight.areas.size(); ++f) {
-    const auto height = [&](std::size_t corner) { return scene.mesh.position(scene.mesh.faces[f][corner]).z; };
+    const auto height = [&](std::size_t corner) { return scene.mesh.position(scene.mesh.faces[f][corner]).z(); };
     const bool is_top = f % 6 == 5;
     REQUIRE((!is_top || (height(0) == height(1) && height(1) == height(2))));
     CHECK(straight.areas[f] == (is_top && height(0) >= 2 ? Rational(1, 4) : Rational(0)));

@@ -12,7 +12,7 @@ using namespace extremes;
 namespace {
 
 Vector3 scaled(const Vector3& v, int exponent) {
-  return {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};
+  return {std::ldexp(v.x(), exponent), std::ldexp(v.y(), exponent), std::ldexp(v.z(), exponent)};
 }
 
 Mesh scaled(const Mesh& mesh, int exponent) {
@@ -36,7 +36,7 @@ Camera scaled(Camera camera, int exponent) {
 // Scaling by a power of two changes no bit of the image.
 void check_scale(const CheckedScene& scene, int exponent) {
   const Mesh moderate = scaled(scene.mesh, -exponent);
-  CHECK(std::any_of(moderate.vertices.begin(), moderate.vertices.end(), [](const Point3& p) { return p.x == 7; }));
+  CHECK(std::any_of(moderate.vertices.begin(), moderate.vertices.end(), [](const Point3& p) { return p.x() == 7; }));
   for (const Sight& seen : scene.sights) {
     CAPTURE(seen.camera.name);
     const Sight reference = sight(moderate, scaled(seen.camera, -exponent), SidesPolicy::both);
@@ -66,10 +66,11 @@ TEST_CASE("extreme scene smallest_denormals: the same as at scale one") {
 TEST_CASE("extreme scene negative_zero: 0 and -0 are one place, and keep their signs") {
   const CheckedScene scene = checked("negative_zero");
   const auto& vertices = scene.mesh.vertices;
-  CHECK(std::any_of(vertices.begin(), vertices.end(), [](const Point3& p) { return p.x == 0 && std::signbit(p.x); }));
+  CHECK(
+      std::any_of(vertices.begin(), vertices.end(), [](const Point3& p) { return p.x() == 0 && std::signbit(p.x()); }));
   CHECK(scene.mesh.edges.size() == 12 + 4);
   std::vector<Point3> positive = vertices;
-  for (Point3& p : positive) p = {p.x + 0.0, p.y + 0.0, p.z + 0.0};
+  for (Point3& p : positive) p = {p.x() + 0.0, p.y() + 0.0, p.z() + 0.0};
   const Mesh plain = build_mesh(std::move(positive), scene.mesh.faces);
   for (const Sight& seen : scene.sights) CHECK(seen.areas == sight(plain, seen.camera, SidesPolicy::both).areas);
   const Sight& above = scene.from("above");

@@ -119,7 +119,7 @@ TEST_CASE("labelled.ply gives back every vertex and triangle bit for bit") {
           std::string::npos);
   }
   for (const Point3& p : labelled.vertices) {
-    for (const double coordinate : {p.x, p.y, p.z}) CHECK(same_bits(take<double>(ply, at), coordinate));
+    for (const double coordinate : {p.x(), p.y(), p.z()}) CHECK(same_bits(take<double>(ply, at), coordinate));
   }
   for (const LabelledTriangle& t : labelled.triangles) {
     CHECK(take<std::uint8_t>(ply, at) == 3);
@@ -150,9 +150,9 @@ TEST_CASE("labelled.obj gives back every vertex, and the triangles by label") {
   REQUIRE(coordinates.size() == 12);
   for (std::size_t i = 0; i < 4; ++i) {
     const Point3& p = labelled.vertices[i];
-    CHECK(same_bits(coordinates[3 * i], p.x));
-    CHECK(same_bits(coordinates[3 * i + 1], p.y));
-    CHECK(same_bits(coordinates[3 * i + 2], p.z));
+    CHECK(same_bits(coordinates[3 * i], p.x()));
+    CHECK(same_bits(coordinates[3 * i + 1], p.y()));
+    CHECK(same_bits(coordinates[3 * i + 2], p.z()));
   }
   CHECK(groups.size() == 2);
   CHECK(groups[to_string(Label::visible)] == std::vector<std::string>{"f 1 2 3"});
@@ -198,7 +198,7 @@ TEST_CASE("a face that is partly in view or skipped has the measures of its part
   ViewPoint above;
   above.eye = {0, 0, 1};
   for (const bool from_behind : {false, true}) {
-    above.eye.z = from_behind ? -1 : 1;
+    above.eye.z() = from_behind ? -1 : 1;
     const View view = analyzed(mesh, orthographic_camera("c", above, 2));
     const auto measures = measure_faces(view);
     CHECK(measures[0].facing == (from_behind ? FaceFacing::back : FaceFacing::front));
@@ -234,7 +234,7 @@ TEST_CASE("segments.csv has Fang's fourteen segments, and each runs along its me
     for (const std::size_t at : {std::size_t{1}, std::size_t{3}}) {
       const double x = 8 + 8 * number(cells[at]);
       const double y = 8 + 8 * number(cells[at + 1]);
-      CHECK(std::abs((v.x - u.x) * (y - u.y) - (v.y - u.y) * (x - u.x)) <= 1e-12);
+      CHECK(std::abs((v.x() - u.x()) * (y - u.y()) - (v.y() - u.y()) * (x - u.x())) <= 1e-12);
     }
     CHECK((cells[6].empty() || cells[6] != cells[0]));
   }

@@ -146,7 +146,8 @@ std::vector<double> read_back(const std::vector<std::string>& numbers) {
   for (std::size_t i = 0; i + 2 < numbers.size(); i += 3)
     text += "v " + numbers[i] + " " + numbers[i + 1] + " " + numbers[i + 2] + "\n";
   std::vector<double> values;
-  for (const Point3& p : read_obj(text, "numbers.obj").mesh.vertices) values.insert(values.end(), {p.x, p.y, p.z});
+  for (const Point3& p : read_obj(text, "numbers.obj").mesh.vertices)
+    values.insert(values.end(), {p.x(), p.y(), p.z()});
   return values;
 }
 
@@ -161,10 +162,11 @@ TEST_CASE("special numbers") {
   const ObjFile halfway = read_obj(fixtures / "halfway.obj");
   const double above_one = std::nextafter(1.0, 2.0);
   const std::vector<Point3>& v = halfway.mesh.vertices;
-  check_same_bits({v[0].x, v[0].y, v[0].z, v[1].x, v[1].y}, {9007199254740992.0, 9007199254740996.0, 1.0, above_one,
-                                                             std::bit_cast<double>(0x000fffffffffffffULL)});
+  check_same_bits(
+      {v[0].x(), v[0].y(), v[0].z(), v[1].x(), v[1].y()},
+      {9007199254740992.0, 9007199254740996.0, 1.0, above_one, std::bit_cast<double>(0x000fffffffffffffULL)});
   const ObjFile underflow = read_obj(fixtures / "underflow.obj");
-  check_same_bits({underflow.mesh.vertices[0].x, underflow.mesh.vertices[1].y, underflow.mesh.vertices[2].z},
+  check_same_bits({underflow.mesh.vertices[0].x(), underflow.mesh.vertices[1].y(), underflow.mesh.vertices[2].z()},
                   {-0.0, 0.0, 0.0});
   const double smallest = std::numeric_limits<double>::denorm_min();
   const double largest = std::numeric_limits<double>::max();

@@ -51,9 +51,9 @@ std::vector<Point3> extreme_vertices(std::mt19937& random, std::size_t count, in
     if (vertices.size() > 3 && random() % 3 == 0) {
       const Point3& other = vertices[random() % vertices.size()];
       const double near = std::ldexp(1.0, -20 - static_cast<int>(random() % 36));
-      p = {other.x + near * p.x, other.y + near * p.y, other.z};
+      p = {other.x() + near * p.x(), other.y() + near * p.y(), other.z()};
     }
-    if (random() % 5 == 0) p.z = 0;
+    if (random() % 5 == 0) p.z() = 0;
     vertices.push_back(p);
   }
   return vertices;
@@ -70,7 +70,7 @@ Mesh extreme_mesh(std::mt19937& random, int exponents) {
 
 Camera looking_at(const Mesh& mesh, double distance) {
   double size = 0;
-  for (const Point3& v : mesh.vertices) size = std::max({size, std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
+  for (const Point3& v : mesh.vertices) size = std::max({size, std::fabs(v.x()), std::fabs(v.y()), std::fabs(v.z())});
   const Point3 eye{distance * size, distance * size / 3, distance * size};
   return perspective_camera("extreme", {eye, {0, 0, 0}, {0, 1, 0}, 1, {}, {}}, 40);
 }

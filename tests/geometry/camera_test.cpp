@@ -20,8 +20,8 @@ constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 Point2 window_place(const Camera& camera, const Point3& v) {
   const Vector3 d = v - camera.origin;
-  const double w = camera.projection == Projection::orthographic ? 1 : dot(camera.forward, d);
-  return {dot(camera.right, d) / w, dot(camera.up, d) / w};
+  const double w = camera.projection == Projection::orthographic ? 1 : camera.forward.dot(d);
+  return {camera.right.dot(d) / w, camera.up.dot(d) / w};
 }
 
 void check_place(const Camera& camera, const Point3& v, const Point2& expected, double tolerance = 1e-12) {
@@ -38,7 +38,7 @@ ViewPoint from_five_on_z() {
 
 struct Pose {
   Matrix3 r;
-  Vector3 t;
+  Vector3 t = Vector3::Zero();
   ViewPoint view;  // the same as eye, target and up
 };
 
@@ -48,11 +48,8 @@ Pose turned_pose(double angle, const Point3& eye) {
   const double c = std::cos(angle);
   const double s = std::sin(angle);
   Pose pose;
-  pose.r = {{{c, 0, s}, {0, -1, 0}, {s, 0, -c}}};
-  for (double* component : {&pose.t.x, &pose.t.y, &pose.t.z}) *component = 0;
-  pose.t.x = -(pose.r[0][0] * eye.x + pose.r[0][1] * eye.y + pose.r[0][2] * eye.z);
-  pose.t.y = -(pose.r[1][0] * eye.x + pose.r[1][1] * eye.y + pose.r[1][2] * eye.z);
-  pose.t.z = -(pose.r[2][0] * eye.x + pose.r[2][1] * eye.y + pose.r[2][2] * eye.z);
+  pose.r << c, 0, s, 0, -1, 0, s, 0, -c;
+  pose.t = -(pose.r * eye);
   pose.view.eye = eye;
   pose.view.target = eye + Vector3{s, 0, -c};
   return pose;
@@ -60,24 +57,18 @@ Pose turned_pose(double angle, const Point3& eye) {
 
 Matrix3 intrinsics(double focal, const PixelImage& image) {
   const double shift = image.origin == PixelOrigin::center ? 0.5 : 0;
-  return {{{focal, 0, image.width / 2 - shift}, {0, focal, image.height / 2 - shift}, {0, 0, 1}}};
+  return Matrix3{{focal, 0, image.width / 2 - shift}, {0, focal, image.height / 2 - shift}, {0, 0, 1}};
 }
 
 Matrix34 product(const Matrix3& k, const Pose& pose) {
-  const std::array<double, 3> t{pose.t.x, pose.t.y, pose.t.z};
-  Matrix34 p{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 4; ++j) {
-      for (std::size_t l = 0; l < 3; ++l) p[i][j] += k[i][l] * (j < 3 ? pose.r[l][j] : t[l]);
-    }
-  }
+  Matrix34 p;
+  p << k * pose.r, k * pose.t;
   return p;
 }
 
 // This computes by hand: it takes v to pixels through P, then to the window.
 Point2 window_through(const Matrix34& p, const PixelImage& image, const Point3& v) {
-  std::array<double, 3> h{};
-  for (std::size_t i = 0; i < 3; ++i) h[i] = ((p[i][0] * v.x + p[i][1] * v.y) + p[i][2] * v.z) + p[i][3];
+  const Vector3 h = p * v.homogeneous();
   const double shift = image.origin == PixelOrigin::center ? 0.5 : 0;
   return {2 * (h[0] / h[2] + shift) / image.width - 1, 1 - 2 * (h[1] / h[2] + shift) / image.height};
 }
@@ -92,13 +83,6 @@ std::vector<Point3> points_before(const ViewPoint& view) {
     }
   }
   return points;
-}
-
-Matrix34 scaled_matrix(Matrix34 p, double factor) {
-  for (auto& row : p) {
-    for (double& entry : row) entry *= factor;
-  }
-  return p;
 }
 
 bool same_rows(const Camera& a, const Camera& b) {
@@ -118,8 +102,8 @@ TEST_CASE("a pinhole sees its target at the centre and the four corners of its f
   check_place(camera, view.target, {0, 0});
 
   const Vector3 along = view.target - view.eye;
-  const Vector3 across = cross(along, view.up);
-  const Vector3 upward = cross(across, along);
+  const Vector3 across = along.cross(view.up);
+  const Vector3 upward = across.cross(along);
   const double half = norm(along) * std::tan(fov * std::numbers::pi / 360);
   for (const double x : {-1.0, 1.0}) {
     for (const double y : {-1.0, 1.0}) {
@@ -147,12 +131,12 @@ TEST_CASE("an orthographic camera shows its height, and its eye is the given dir
   const Camera camera = orthographic_camera("sun", view, 3);
   check_place(camera, view.target, {0, 0});
   check_place(camera, view.eye, {0, 0});
-  const Vector3 across = cross(view.target - view.eye, view.up);
-  const Vector3 upward = cross(across, view.target - view.eye);
+  const Vector3 across = (view.target - view.eye).cross(view.up);
+  const Vector3 upward = across.cross(view.target - view.eye);
   check_place(camera, view.target + (3 / norm(across)) * across + (1.5 / norm(upward)) * upward, {1, 1});
   CHECK(camera.eye.w == 0);
-  CHECK(cross(camera.eye.xyz, view.eye) == Vector3{});
-  CHECK(dot(camera.eye.xyz, view.eye) > 0);
+  CHECK(camera.eye.xyz.cross(view.eye) == Vector3::Zero());
+  CHECK(camera.eye.xyz.dot(view.eye) > 0);
 }
 
 TEST_CASE("through P a point goes where P puts it") {
@@ -163,8 +147,8 @@ TEST_CASE("through P a point goes where P puts it") {
     image.origin = origin;
     const Pose pose = turned_pose(0.3, {1, 2, 3});
     Matrix3 k = intrinsics(1500, image);
-    k[0][1] = 7;  // skew
-    k[0][2] += 31;
+    k(0, 1) = 7;  // skew
+    k(0, 2) += 31;
     const Matrix34 p = product(k, pose);
     const Camera camera = projection_matrix_camera("calibrated", p, image);
     CHECK(std::abs(norm(camera.forward) - 1) <= 1e-15);
@@ -205,7 +189,7 @@ TEST_CASE("P times any number is the same camera") {
   const Matrix34 p = product(intrinsics(700, image), turned_pose(0.7, {3, 1, -2}));
   const Camera camera = projection_matrix_camera("p", p, image);
   for (const double factor : {-1.0, 0x1p-900, -0x1p900}) {
-    CHECK(same_rows(projection_matrix_camera("p", scaled_matrix(p, factor), image), camera));
+    CHECK(same_rows(projection_matrix_camera("p", factor * p, image), camera));
   }
 }
 
@@ -224,7 +208,7 @@ TEST_CASE("the eye of P is its null vector, rounded to the nearest double") {
                                   static_cast<double>(1 + std::abs(numerator(random)))};
     const std::array<double, 3> t{static_cast<double>(numerator(random)), static_cast<double>(numerator(random)),
                                   static_cast<double>(numerator(random))};
-    const Matrix34 p{{{d[0], 0, 0, t[0]}, {0, d[1], 0, t[1]}, {0, 0, d[2], t[2]}}};
+    const Matrix34 p{{d[0], 0, 0, t[0]}, {0, d[1], 0, t[1]}, {0, 0, d[2], t[2]}};
     const Camera camera = projection_matrix_camera("p", p, image);
     REQUIRE(camera.origin == Point3{-t[0] / d[0], -t[1] / d[1], -t[2] / d[2]});
   }
@@ -252,9 +236,9 @@ TEST_CASE("up may be as close to the view direction as double can tell") {
   view.target = {1, 2, 3};
   view.up = {1, 2, std::nextafter(3.0, 4.0)};
   const Camera camera = perspective_camera("c", view, 50);
-  CHECK(std::abs(dot(camera.right, view.target)) <= 1e-14);
-  CHECK(std::abs(dot(camera.up, view.target)) <= 1e-14);
-  CHECK(std::abs(dot(camera.right, camera.up)) <= 1e-14);
+  CHECK(std::abs(camera.right.dot(view.target)) <= 1e-14);
+  CHECK(std::abs(camera.up.dot(view.target)) <= 1e-14);
+  CHECK(std::abs(camera.right.dot(camera.up)) <= 1e-14);
   check_place(camera, view.target, {0, 0});
 }
 
@@ -262,7 +246,7 @@ TEST_CASE("a view that is none is an error that names the camera and the cause")
   using Change = std::function<void(ViewPoint&)>;
   const std::vector<std::pair<const char*, Change>> changes = {
       {"same point", [](ViewPoint& v) { v.target = v.eye; }},
-      {"up has length zero", [](ViewPoint& v) { v.up = {}; }},
+      {"up has length zero", [](ViewPoint& v) { v.up = Vector3::Zero(); }},
       {"up is along",
        [](ViewPoint& v) {
          v.up = {0, 0, -3};
@@ -274,9 +258,9 @@ TEST_CASE("a view that is none is an error that names the camera and the cause")
       {"aspect", [](ViewPoint& v) { v.aspect = 0; }},
       {"aspect", [](ViewPoint& v) { v.aspect = -1; }},
       {"aspect", [](ViewPoint& v) { v.aspect = infinity; }},
-      {"eye is not finite", [](ViewPoint& v) { v.eye.x = not_a_number; }},
-      {"target is not finite", [](ViewPoint& v) { v.target.y = infinity; }},
-      {"up is not finite", [](ViewPoint& v) { v.up.z = -infinity; }},
+      {"eye is not finite", [](ViewPoint& v) { v.eye.x() = not_a_number; }},
+      {"target is not finite", [](ViewPoint& v) { v.target.y() = infinity; }},
+      {"up is not finite", [](ViewPoint& v) { v.up.z() = -infinity; }},
       {"near is not less than far", [](ViewPoint& v) { v.near_distance = v.far_distance = 2; }},
       {"near is not finite", [](ViewPoint& v) { v.near_distance = not_a_number; }},
       {"far is not finite", [](ViewPoint& v) { v.far_distance = infinity; }},
@@ -310,19 +294,19 @@ TEST_CASE("a matrix that is no camera is an error") {
   const Matrix3 k = intrinsics(500, image);
   const Matrix34 p = product(k, pose);
 
-  const Matrix34 affine{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 0, 1}}};
+  const Matrix34 affine{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 0, 1}};
   CHECK_THROWS_WITH_AS(static_cast<void>(projection_matrix_camera("c", affine, image)), doctest::Contains("singular"),
                        CameraError);
   Matrix34 with_infinity = p;
-  with_infinity[1][3] = infinity;
+  with_infinity(1, 3) = infinity;
   CHECK_THROWS_WITH_AS(static_cast<void>(projection_matrix_camera("c", with_infinity, image)),
                        doctest::Contains("not finite"), CameraError);
 
   Pose mirrored = pose;
-  for (double& entry : mirrored.r[0]) entry = -entry;
+  mirrored.r.row(0) *= -1;
   CHECK_THROWS_WITH_AS(static_cast<void>(calibrated_camera("c", k, mirrored.r, mirrored.t, image)),
                        doctest::Contains("determinant"), CameraError);
-  CHECK_THROWS_WITH_AS(static_cast<void>(calibrated_camera("c", Matrix3{}, pose.r, pose.t, image)),
+  CHECK_THROWS_WITH_AS(static_cast<void>(calibrated_camera("c", Matrix3::Zero(), pose.r, pose.t, image)),
                        doctest::Contains("determinant"), CameraError);
   CHECK_THROWS_WITH_AS(static_cast<void>(calibrated_camera("c", k, pose.r, {not_a_number, 0, 0}, image)),
                        doctest::Contains("not finite"), CameraError);

@@ -75,7 +75,7 @@ using PlacePair = std::array<Place, 2>;
 
 Place place(const LabelledMesh& labelled, VertexId v) {
   const Point3& p = labelled.vertices[v.index()];
-  return {p.x, p.y, p.z};
+  return {p.x(), p.y(), p.z()};
 }
 
 // Returns the sides of a face's seen triangles that no other seen triangle of the face has, on a line by their ends.

@@ -24,7 +24,8 @@ struct Solid {
 Solid box(const Point3& low, const Point3& high) {
   Solid solid;
   for (int i = 0; i < 8; ++i) {
-    solid.vertices.push_back({(i & 1) ? high.x : low.x, (i & 2) ? high.y : low.y, (i & 4) ? high.z : low.z});
+    solid.vertices.push_back(
+        {(i & 1) ? high.x() : low.x(), (i & 2) ? high.y() : low.y(), (i & 4) ? high.z() : low.z()});
   }
   solid.faces = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
   return solid;
@@ -110,7 +111,7 @@ std::filesystem::path shared_model(const std::string& name) {
   return folder / "models" / (name + ".obj");
 }
 
-constexpr Point3 far_eye{5, 7, 9};
+const Point3 far_eye{5, 7, 9};
 
 }  // namespace
 
@@ -243,7 +244,7 @@ TEST_CASE("a closed sheet in one plane has no volume, whatever rounding says") {
     const Vector3 u{odd(), odd(), odd()};
     const Vector3 v{odd(), -odd(), odd()};
     const Point3 o{odd(), odd(), -odd()};
-    const auto at = [&](double s, double t) { return o + s * u + t * v; };
+    const auto at = [&](double s, double t) -> Vector3 { return o + s * u + t * v; };
     const Solid solid{{at(0, 0), at(7, 0), at(0, 7), at(1, 2), at(3, 1)},
                       {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {1, 0, 4}, {2, 1, 4}, {0, 2, 4}}};
     const Mesh mesh = mesh_of(solid);

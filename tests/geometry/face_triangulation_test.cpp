@@ -27,7 +27,7 @@ double doubled_area(std::span<const VertexId> corners, std::span<const Point3> v
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Point3& a = vertices[corners[i].index()];
     const Point3& b = vertices[corners[(i + 1) % corners.size()].index()];
-    area += a.x * b.y - a.y * b.x;
+    area += a.x() * b.y() - a.y() * b.x();
   }
   return area;
 }
@@ -111,7 +111,7 @@ std::vector<Triangle> reversed(std::vector<Triangle> triangles) {
 
 // The plane is slanted, so that no coordinate can be dropped without thought: x and y change places with z = 2x + 3y.
 std::vector<Point3> on_slanted_plane(std::vector<Point3> vertices) {
-  for (Point3& p : vertices) p = {p.y, 2 * p.x + 3 * p.y, p.x};
+  for (Point3& p : vertices) p = {p.y(), 2 * p.x() + 3 * p.y(), p.x()};
   return vertices;
 }
 
@@ -160,10 +160,10 @@ std::optional<int> winding_number(const GridPolygon& polygon, std::int64_t x, st
   for (std::size_t i = 0; i < polygon.corners.size(); ++i) {
     const Point3& a = polygon.view()[i];
     const Point3& b = polygon.view()[i + 1];
-    const std::int64_t ax = static_cast<std::int64_t>(a.x) * scale - x;
-    const std::int64_t ay = static_cast<std::int64_t>(a.y) * scale - y;
-    const std::int64_t bx = static_cast<std::int64_t>(b.x) * scale - x;
-    const std::int64_t by = static_cast<std::int64_t>(b.y) * scale - y;
+    const std::int64_t ax = static_cast<std::int64_t>(a.x()) * scale - x;
+    const std::int64_t ay = static_cast<std::int64_t>(a.y()) * scale - y;
+    const std::int64_t bx = static_cast<std::int64_t>(b.x()) * scale - x;
+    const std::int64_t by = static_cast<std::int64_t>(b.y()) * scale - y;
     const std::int64_t side = ax * by - ay * bx;
     if (side == 0 && std::min(ax, bx) <= 0 && std::max(ax, bx) >= 0 && std::min(ay, by) <= 0 && std::max(ay, by) >= 0)
       return std::nullopt;

@@ -26,7 +26,7 @@ RationalPolygon rational_facet(const Mesh& mesh, FacetId f) {
   RationalPolygon polygon;
   for (const VertexId v : mesh.corners(f)) {
     const Point3& p = mesh.position(v);
-    polygon.push_back({Rational(p.x), Rational(p.y), Rational(p.z)});
+    polygon.push_back({Rational(p.x()), Rational(p.y()), Rational(p.z())});
   }
   return polygon;
 }
@@ -69,7 +69,7 @@ std::vector<std::vector<Point3>> random_polygons(Generator& random) {
     Point3 a = random.grid_point(0, 3);
     Vector3 u = random.grid_point(-2, 2);
     Vector3 v = random.grid_point(-2, 2);
-    if (i % 3 == 0) a.z = u.z = v.z = 0;
+    if (i % 3 == 0) a.z() = u.z() = v.z() = 0;
     if (i % 4 == 3) {
       const auto& other = polygons[static_cast<std::size_t>(random.between(0, i - 1))];
       polygons.push_back({other[0], other[static_cast<std::size_t>(random.between(1, 2))], a});

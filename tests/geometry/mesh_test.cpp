@@ -95,7 +95,7 @@ const std::vector<Mutation> mutations{
     {"facets: not a list", [](Mesh& m) { m.facets.corners[0] = VertexId(99); }},
     {"faces: not a list", [](Mesh& m) { m.faces.begin.back() += 1; }},
     {"facet_edges: names no mesh edge", [](Mesh& m) { m.facet_edges[0] = MeshEdgeId(99); }},
-    {"vertex 0 is not finite", [](Mesh& m) { m.vertices[0].x = std::numeric_limits<double>::infinity(); }},
+    {"vertex 0 is not finite", [](Mesh& m) { m.vertices[0].x() = std::numeric_limits<double>::infinity(); }},
     {"vertex 4 is not welded", [](Mesh& m) { m.weld[4] = VertexId(4); }},
     {"vertex 0 is not welded", [](Mesh& m) { m.weld[0] = VertexId(3); }},
     {"mesh edge 0 has its ends out of order", [](Mesh& m) { std::swap(m.edges[0][0], m.edges[0][1]); }},

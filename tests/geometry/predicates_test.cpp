@@ -16,7 +16,7 @@ struct Exact3 {
 };
 
 Exact3 difference(const Point3& a, const Point3& b) {
-  return {Exact(a.x) - Exact(b.x), Exact(a.y) - Exact(b.y), Exact(a.z) - Exact(b.z)};
+  return {Exact(a.x()) - Exact(b.x()), Exact(a.y()) - Exact(b.y()), Exact(a.z()) - Exact(b.z())};
 }
 
 int sign(const Exact& value) { return value > 0 ? 1 : (value < 0 ? -1 : 0); }

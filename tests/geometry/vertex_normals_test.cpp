@@ -74,7 +74,7 @@ TEST_CASE("vertices at one place share their mean, and given normals stand") {
   const std::vector<Vector3> means = vertex_normals(roof.mesh, {});
   CHECK(is_near(means[0], {0, 0, 1}));
   CHECK(is_near(means[3], {0, 0, 1}));
-  std::vector<Vector3> given(6);
+  std::vector<Vector3> given(6, Vector3::Zero());
   given[0] = {0, 5, 0};
   const std::vector<Vector3> mixed = vertex_normals(roof.mesh, given);
   CHECK(mixed[0] == Vector3{0, 1, 0});

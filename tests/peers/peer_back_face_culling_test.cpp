@@ -44,14 +44,14 @@ Body hull_of(const std::vector<Point3>& points) {
 std::size_t corner_count(const Body& body) {
   std::set<std::array<double, 3>> corners;
   for (const Corners& face : body) {
-    for (const Point3& p : face) corners.insert({p.x, p.y, p.z});
+    for (const Point3& p : face) corners.insert({p.x(), p.y(), p.z()});
   }
   return corners.size();
 }
 
 Body box(const Point3& low, const Point3& high) {
   const auto at = [&](int x, int y, int z) {
-    return Point3{x == 0 ? low.x : high.x, y == 0 ? low.y : high.y, z == 0 ? low.z : high.z};
+    return Point3{x == 0 ? low.x() : high.x(), y == 0 ? low.y() : high.y(), z == 0 ? low.z() : high.z()};
   };
   return {{at(0, 0, 0), at(0, 1, 0), at(1, 1, 0), at(1, 0, 0)}, {at(0, 0, 1), at(1, 0, 1), at(1, 1, 1), at(0, 1, 1)},
           {at(0, 0, 0), at(0, 0, 1), at(0, 1, 1), at(0, 1, 0)}, {at(1, 0, 0), at(1, 1, 0), at(1, 1, 1), at(1, 0, 1)},

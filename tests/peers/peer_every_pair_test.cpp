@@ -35,7 +35,7 @@ std::uint64_t check_random_scene(const RandomScene& scene) {
 const Corners table{{-0.75, -0.75, 0}, {0.75, -0.75, 0}, {0.75, 0.75, 0}, {-0.75, 0.75, 0}};
 
 Corners raised(Corners corners, double height) {
-  for (Point3& p : corners) p.z += height;
+  for (Point3& p : corners) p.z() += height;
   return corners;
 }
 

@@ -183,7 +183,7 @@ TEST_CASE("Floating horizon: height fields seen from above and beside by paralle
         [turn](Dice& dice) {
           const std::array eye{5 * anywhere(dice), 1 + anywhere(dice), 6 * anywhere(dice)};
           const std::array up{0.0, 1.0, 0.0};
-          const auto turned = [turn](const std::array<double, 3>& p) {
+          const auto turned = [turn](const std::array<double, 3>& p) -> Vector3 {
             const auto axis = [&](int k) { return p[static_cast<std::size_t>((k + turn) % 3)]; };
             return Vector3{axis(0), axis(1), axis(2)};
           };

@@ -53,8 +53,8 @@ double error_under_bar(int squares) {
     for (int j = 0; j < squares; ++j) {
       const Point3 corner{place(i), place(j), 0};
       const Point3 across{place(i + 1), place(j + 1), 0};
-      polygons.push_back({corner, {across.x, corner.y, 0}, across});
-      polygons.push_back({corner, across, {corner.x, across.y, 0}});
+      polygons.push_back({corner, {across.x(), corner.y(), 0}, across});
+      polygons.push_back({corner, across, {corner.x(), across.y(), 0}});
     }
   }
   const PartsCase parts = seen_from_above(polygons);

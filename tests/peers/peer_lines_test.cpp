@@ -84,7 +84,7 @@ void add_tetrahedron(std::vector<Corners>& faces, const std::array<Point3, 4>& p
 
 // There are tetrahedra and triangles anywhere, through each other and across the window's border.
 CutMesh general_mesh(lattice::Dice& dice) {
-  const auto point = [&dice] {
+  const auto point = [&dice]() -> Vector3 {
     const auto coordinate = [&dice] { return dice.between(-1'000'000, 1'000'000) / 3e5; };
     return Point3{coordinate(), coordinate(), coordinate()};
   };

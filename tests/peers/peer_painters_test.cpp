@@ -86,10 +86,10 @@ double rounded(double x) { return std::round(64 * x) / 64; }
 // The bar goes from one end to the other and is two wide, its height changing along it only: it is a parallelogram,
 // exactly planar.
 Corners bar(const Point3& from, const Point3& to) {
-  const double length = std::hypot(to.x - from.x, to.y - from.y);
-  const Vector3 across{rounded((from.y - to.y) / length), rounded((to.x - from.x) / length), 0};
-  const Point3 begin{rounded(from.x), rounded(from.y), from.z};
-  const Point3 end{rounded(to.x), rounded(to.y), to.z};
+  const double length = std::hypot(to.x() - from.x(), to.y() - from.y());
+  const Vector3 across{rounded((from.y() - to.y()) / length), rounded((to.x() - from.x()) / length), 0};
+  const Point3 begin{rounded(from.x()), rounded(from.y()), from.z()};
+  const Point3 end{rounded(to.x()), rounded(to.y()), to.z()};
   return {begin - across, end - across, end + across, begin + across};
 }
 
@@ -97,7 +97,7 @@ Corners bar(const Point3& from, const Point3& to) {
 // next one.
 Mesh bars_in_a_ring(int count) {
   const double pi = std::acos(-1.0);
-  const auto corner = [&](int i) {
+  const auto corner = [&](int i) -> Vector3 {
     const double angle = 2 * pi * i / count + 0.1;
     return Point3{10 * std::cos(angle), 10 * std::sin(angle), 0};
   };

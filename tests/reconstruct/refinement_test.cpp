@@ -19,7 +19,7 @@ Camera slanting() { return perspective_camera("slanting", {{1, -9, 6}, {0, 0, 0}
 double angle(const Point3& a, const Point3& b, const Point3& c) {
   const Vector3 u = b - a;
   const Vector3 v = c - a;
-  return std::atan2(norm(cross(u, v)), dot(u, v));
+  return std::atan2(norm(u.cross(v)), u.dot(v));
 }
 
 // Returns, per edge within one face and label, the sum of the angles opposite to it.
@@ -53,7 +53,7 @@ std::vector<double> opposite_angles(const LabelledMesh& labelled) {
 
 // Two triangles have a common edge across the window, and before them a small one hides the edge's middle.
 std::vector<Point3> splits_of_common_edge(lattice::Dice& dice, bool exchange) {
-  const auto near = [&](double x, double y, double z) {
+  const auto near = [&](double x, double y, double z) -> Vector3 {
     const auto off = [&] { return dice.between(-1000, 1000) / 3001.0; };
     return Point3{x + off(), y + off(), z + off()};
   };
@@ -66,9 +66,9 @@ std::vector<Point3> splits_of_common_edge(lattice::Dice& dice, bool exchange) {
   const LabelledMesh labelled = analyzed(mesh, slanting()).labelled;
   std::vector<Point3> added(labelled.vertices.begin() + static_cast<std::ptrdiff_t>(mesh.vertices.size()),
                             labelled.vertices.end());
-  std::erase_if(added, [&](const Point3& p) { return norm(cross(p - a, b - a)) > 1e-9; });
+  std::erase_if(added, [&](const Point3& p) { return norm((p - a).cross(b - a)) > 1e-9; });
   std::sort(added.begin(), added.end(), [](const Point3& p, const Point3& q) {
-    return std::array{p.x, p.y, p.z} < std::array{q.x, q.y, q.z};
+    return std::array{p.x(), p.y(), p.z()} < std::array{q.x(), q.y(), q.z()};
   });
   return added;
 }

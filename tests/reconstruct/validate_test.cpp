@@ -361,7 +361,7 @@ TEST_CASE("what covers something twice is found by its winding numbers") {
 struct Split {
   VertexId a;
   VertexId b;
-  Point3 position;
+  Point3 position = Point3::Zero();
 };
 
 // The triangles of a facet with further points on its border are a fan around the first of these.
@@ -457,8 +457,8 @@ TEST_CASE("borders that touch themselves conform") {
 
 const std::vector<Breakage<LabelledMesh>> broken_labelled{
     {"vertices: fewer than the input's", [](LabelledMesh& m) { m.vertices.resize(3); }},
-    {"vertex 0 is not where the input has it", [](LabelledMesh& m) { m.vertices[0].x = -0.0; }},
-    {"vertex 4 is not finite", [](LabelledMesh& m) { m.vertices[4].y = std::numeric_limits<double>::infinity(); }},
+    {"vertex 0 is not where the input has it", [](LabelledMesh& m) { m.vertices[0].x() = -0.0; }},
+    {"vertex 4 is not finite", [](LabelledMesh& m) { m.vertices[4].y() = std::numeric_limits<double>::infinity(); }},
     {"triangle 0 has a corner that is no vertex", [](LabelledMesh& m) { m.triangles[0].corners[1] = VertexId(99); }},
     {"triangle 0 has a corner twice", [](LabelledMesh& m) { m.triangles[0].corners[1] = m.triangles[0].corners[2]; }},
     {"triangle 0 has no such label", [](LabelledMesh& m) { m.triangles[0].label = static_cast<Label>(4); }},
@@ -470,7 +470,7 @@ const std::vector<Breakage<LabelledMesh>> broken_labelled{
     {"triangle 0 is on no surface of its face", [](LabelledMesh& m) { m.triangles[0].surface = FacetId{}; }},
     {"triangle 0 is on no surface of its face", [](LabelledMesh& m) { m.triangles[0].surface = FacetId(2); }},
     {"face 0 has triangles of another area", [](LabelledMesh& m) { m.triangles.erase(m.triangles.begin()); }},
-    {"face 0 has triangles of another area", [](LabelledMesh& m) { m.vertices[5].z = -0.001; }},
+    {"face 0 has triangles of another area", [](LabelledMesh& m) { m.vertices[5].z() = -0.001; }},
     {"triangle 0 is turned over against face 0",
      [](LabelledMesh& m) { std::swap(m.triangles[0].corners[0], m.triangles[0].corners[1]); }},
     {"does not conform with its neighbours between vertices",

@@ -27,7 +27,7 @@ MirrorScene random_mirror_scene(std::uint64_t seed) {
   const auto between = [&](double low, double high) {
     return std::round(16 * (low + (high - low) * std::ldexp(static_cast<double>(random() >> 11U), -53))) / 16;
   };
-  const auto near = [&](const Point3& centre, double reach) {
+  const auto near = [&](const Point3& centre, double reach) -> Vector3 {
     return centre + Vector3{between(-reach, reach), between(-reach, reach), between(-reach, reach)};
   };
   std::vector<Point3> vertices{{-3, -3, 0}, {3, -3, 0}, {3, 3, 0}, {-3, 3, 0}};
@@ -91,23 +91,23 @@ Tally compare(const MirrorScene& scene, const View& view, std::uint64_t rays, st
 // Returns where the ray from the eye, mirrored at a triangle's middle, meets a panel's plane.
 Point3 place_on_panel(const Point3& eye, const Point3& middle, const Vector3& normal, const Panel& panel) {
   const Vector3 direction = middle - eye;
-  const Vector3 mirrored = direction - (2 * dot(direction, normal) / dot(normal, normal)) * normal;
-  const Vector3 of_panel = cross(panel.corners[1] - panel.corners[0], panel.corners[2] - panel.corners[0]);
-  return middle + (dot(panel.corners[0] - middle, of_panel) / dot(mirrored, of_panel)) * mirrored;
+  const Vector3 mirrored = direction - (2 * direction.dot(normal) / normal.dot(normal)) * normal;
+  const Vector3 of_panel = (panel.corners[1] - panel.corners[0]).cross(panel.corners[2] - panel.corners[0]);
+  return middle + ((panel.corners[0] - middle).dot(of_panel) / mirrored.dot(of_panel)) * mirrored;
 }
 
 // Returns a small square around a place, across the direction.
 Panel small_panel(const Point3& place, const Vector3& direction) {
   constexpr double half = 1.0 / 1024;
   const Vector3 beside =
-      cross(direction, std::fabs(direction.x) < std::fabs(direction.z) ? Vector3{1, 0, 0} : Vector3{0, 0, 1});
+      direction.cross(std::fabs(direction.x()) < std::fabs(direction.z()) ? Vector3{1, 0, 0} : Vector3{0, 0, 1});
   const Vector3 u = (half / norm(beside)) * beside;
-  const Vector3 up = cross(beside, direction);
+  const Vector3 up = beside.cross(direction);
   const Vector3 v = (half / norm(up)) * up;
   // Rounding to multiples of 2^-20 keeps its corners in one plane: three of them and their parallelogram.
-  const auto rounded = [](const Vector3& w) {
+  const auto rounded = [](const Vector3& w) -> Vector3 {
     const auto to_grid = [](double x) { return std::round(x * 0x1p20) * 0x1p-20; };
-    return Vector3{to_grid(w.x), to_grid(w.y), to_grid(w.z)};
+    return Vector3{to_grid(w.x()), to_grid(w.y()), to_grid(w.z())};
   };
   const Point3 corner = rounded(place - u - v);
   const Vector3 along_u = rounded(2 * u);
@@ -121,7 +121,7 @@ bool sees_back(const AnyMesh& mesh, const MirrorScene& scene, const LabelledMesh
                std::size_t panel) {
   const auto corner = [&](std::size_t i) { return labelled.vertices[t.corners[i].index()]; };
   const Point3 middle = (1.0 / 3) * (corner(0) + corner(1) + corner(2));
-  const Vector3 normal = cross(corner(1) - corner(0), corner(2) - corner(0));
+  const Vector3 normal = (corner(1) - corner(0)).cross(corner(2) - corner(0));
   const Point3 place = place_on_panel(scene.camera.origin, middle, normal, scene.panels[panel]);
   const ViewPoint view{place, middle, {0.3, 0.2, 1}, 1, {}, {}};
   const Panel eye = small_panel(scene.camera.origin, middle - scene.camera.origin);
@@ -143,7 +143,7 @@ TEST_CASE(
     for (const LabelledTriangle& t : view.labelled.triangles) {
       for (std::size_t p = 0; p < 2; ++p) {
         const auto corner = [&](std::size_t i) { return view.labelled.vertices[t.corners[i].index()]; };
-        const bool large = norm(cross(corner(1) - corner(0), corner(2) - corner(0))) > 1e-3;
+        const bool large = norm((corner(1) - corner(0)).cross(corner(2) - corner(0))) > 1e-3;
         if ((t.reflecting >> p & 1U) == 0 || !large) continue;
         ++paths;
         CHECK(sees_back(mesh, scene, view.labelled, t, p));

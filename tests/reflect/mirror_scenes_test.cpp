@@ -49,7 +49,7 @@ std::vector<Panel> random_panels(SmallGrid& grid) {
     const Point3 corner = grid.place(3);
     const Vector3 u = grid.side();
     const Vector3 v = grid.side();
-    if (norm(cross(u, v)) == 0) continue;
+    if (norm(u.cross(v)) == 0) continue;
     const Emits emits = grid.below(2) == 0 ? Emits::front : Emits::both;
     panels.push_back({"panel", {corner, corner + u, corner + u + v, corner + v}, emits});
     --i;

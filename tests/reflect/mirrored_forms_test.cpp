@@ -1,4 +1,4 @@
-// Balls are held against rationals, and what they decide against the exact view in the mirror.
+// Certified numbers against rationals, and what they decide against the exact view in the mirror.
 #include <doctest/doctest.h>
 
 #include <boost/multiprecision/cpp_int.hpp>
@@ -22,20 +22,19 @@ double random_number(Dice& dice, int lowest, int highest) {
   return std::ldexp(mantissa, dice.between(lowest, highest));
 }
 
-struct KnownBall {
-  Ball ball;
+struct KnownNumber {
+  Bounded bounded;
   Rational value;
 };
 
-KnownBall random_ball(Dice& dice, int lowest, int highest) {
+KnownNumber random_bounded(Dice& dice, int lowest, int highest) {
   const double middle = random_number(dice, lowest, highest);
   const double radius = dice.one_in(3) ? 0 : std::abs(random_number(dice, lowest - 60, highest - 10));
   return {{middle, radius}, Rational(middle) + Rational(radius) * dice.between(-8, 8) / 8};
 }
 
-bool holds(const Ball& ball, const Rational& value) {
-  return !std::isfinite(ball.middle) || !std::isfinite(ball.radius) ||
-         abs(value - Rational(ball.middle)) <= Rational(ball.radius);
+bool holds(const Bounded& b, const Rational& value) {
+  return !std::isfinite(b.value) || !std::isfinite(b.radius) || abs(value - Rational(b.value)) <= Rational(b.radius);
 }
 
 struct Mirrored {
@@ -63,8 +62,8 @@ std::optional<Mirrored> random_mirrored(Dice& dice) {
       {random_point(dice, unit), random_point(dice, unit), random_point(dice, unit)},
       {random_point(dice, unit), random_point(dice, unit), random_point(dice, unit)}};
   auto& [camera, plane, triangle] = mirrored;
-  if (norm(cross(plane[1] - plane[0], plane[2] - plane[0])) < 1e-6) return std::nullopt;
-  if (norm(cross(triangle[1] - triangle[0], triangle[2] - triangle[0])) < 1e-6) return std::nullopt;
+  if (norm((plane[1] - plane[0]).cross(plane[2] - plane[0])) < 1e-6) return std::nullopt;
+  if (norm((triangle[1] - triangle[0]).cross(triangle[2] - triangle[0])) < 1e-6) return std::nullopt;
   if (plane_through(plane).side(exact_eye(camera)) < 0) std::swap(plane[1], plane[2]);
   if (plane_through(plane).side(exact_eye(camera)) == 0) return std::nullopt;
   for (std::size_t i = 0; i < 2; ++i) {
@@ -98,7 +97,7 @@ WindowPart part_around(const ImagePolygon& polygon, int grid_bits) {
 
 }  // namespace
 
-TEST_CASE("balls hold the sum, difference, product and quotient of what they hold, at every scale") {
+TEST_CASE("certified numbers hold the sum, difference, product and quotient of what they hold, at every scale") {
   constexpr std::uint64_t seed = 41;
   INFO("seed ", seed);
   Dice dice(seed);
@@ -107,36 +106,37 @@ TEST_CASE("balls hold the sum, difference, product and quotient of what they hol
   int signs = 0;
   for (int i = 0; i < 50'000; ++i) {
     const int scale = dice.any_of(std::array{0, 0, 500, -530, -1000, 990});
-    const KnownBall a = random_ball(dice, scale - 40, scale + 30);
-    const KnownBall b = random_ball(dice, scale - 40, scale + 30);
+    const KnownNumber a = random_bounded(dice, scale - 40, scale + 30);
+    const KnownNumber b = random_bounded(dice, scale - 40, scale + 30);
     CAPTURE(i);
-    CHECK(holds(a.ball + b.ball, a.value + b.value));
-    CHECK(holds(a.ball - b.ball, a.value - b.value));
-    CHECK(holds(a.ball * b.ball, a.value * b.value));
-    if (b.value != 0) CHECK(holds(a.ball / b.ball, a.value / b.value));
-    const Ball difference = a.ball - b.ball;
+    CHECK(holds(a.bounded + b.bounded, a.value + b.value));
+    CHECK(holds(a.bounded - b.bounded, a.value - b.value));
+    CHECK(holds(a.bounded * b.bounded, a.value * b.value));
+    if (b.value != 0) CHECK(holds(a.bounded / b.bounded, a.value / b.value));
+    const Bounded difference = a.bounded - b.bounded;
     if (difference.is_positive()) CHECK(a.value > b.value);
     if (difference.is_negative()) CHECK(a.value < b.value);
     signs += difference.is_positive() || difference.is_negative() ? 1 : 0;
-    overflows += std::isfinite((a.ball * b.ball).middle) ? 0 : 1;
-    denormal += std::abs((a.ball * b.ball).middle) < 0x1p-1022 ? 1 : 0;
+    overflows += std::isfinite((a.bounded * b.bounded).value) ? 0 : 1;
+    denormal += std::abs((a.bounded * b.bounded).value) < 0x1p-1022 ? 1 : 0;
   }
   CHECK(signs > 30'000);
   CHECK(overflows > 3'000);
   CHECK(denormal > 3'000);
 }
 
-TEST_CASE("where nothing is known no ball has a sign") {
+TEST_CASE("where nothing is known no number has a sign") {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  for (const Ball& ball : {exactly(1) / Ball{1, 2}, exactly(1e300) * exactly(-1e300), exactly(-1e308) + exactly(-1e308),
-                           exactly(infinity) - exactly(infinity), Ball{0, 0}, Ball{-1, 1}, Ball{1, 1}}) {
-    CAPTURE(ball.middle);
-    CHECK_FALSE(ball.is_positive());
-    CHECK_FALSE(ball.is_negative());
+  for (const Bounded& b :
+       {Bounded(1) / Bounded{1, 2}, Bounded(1e300) * Bounded(-1e300), Bounded(-1e308) + Bounded(-1e308),
+        Bounded(infinity) - Bounded(infinity), Bounded{0, 0}, Bounded{-1, 1}, Bounded{1, 1}}) {
+    CAPTURE(b.value);
+    CHECK_FALSE(b.is_positive());
+    CHECK_FALSE(b.is_negative());
   }
-  CHECK(ball_around(-3, 5).middle == 1);
-  CHECK(ball_around(-3, 5).radius >= 4);
-  CHECK(ball_around(-3, 5).radius < 4.001);
+  CHECK(bounded_around(-3, 5).value == 1);
+  CHECK(bounded_around(-3, 5).radius >= 4);
+  CHECK(bounded_around(-3, 5).radius < 4.001);
 }
 
 TEST_CASE("an image in the mirror is the exact one, number for number, where it is certain; and it nearly always is") {
@@ -181,7 +181,7 @@ TEST_CASE("the mirror camera is on the side of a plane that it is on exactly, wh
     if (!mirrored) continue;
     const auto& [camera, plane, triangle] = *mirrored;
     const Sign exact = MirrorView(camera, plane_through(plane), 40).side_of_centre(plane_through(triangle));
-    const auto certain = certain_side_of_centre(mirrored_forms(camera, plane), camera, ball_form(triangle));
+    const auto certain = certain_side_of_centre(mirrored_forms(camera, plane), camera, bounded_form(triangle));
     CAPTURE(i);
     if (certain) CHECK(*certain == exact);
     ++sides[static_cast<std::size_t>(exact + 1)];

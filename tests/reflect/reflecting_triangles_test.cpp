@@ -88,7 +88,7 @@ TEST_CASE("the published test misses an obstacle without a vertex in the pyramid
 
 TEST_CASE("obstacles behind the panel or behind the mirror block nothing") {
   for (const Corners& obstacle : {rectangle(1.5, 2.5, -0.5, 0.5, 5), rectangle(-0.5, 0.5, -0.5, 0.5, -1)}) {
-    CAPTURE(obstacle[0].z);
+    CAPTURE(obstacle[0].z());
     CHECK(on_floor({obstacle}, {"above", above, Emits::both}, by_faces).areas[0] == 1);
   }
 }
@@ -139,7 +139,7 @@ TEST_CASE("with one convex panel and nothing in the way, what is marked is part 
     std::vector<Corners> surface;
     for (Corners tile : tiled_floor()) {
       if (tile.size() > 3) continue;
-      for (Point3& p : tile) p.z = -dome * (p.x * p.x + p.y * p.y);
+      for (Point3& p : tile) p.z() = -dome * (p.x() * p.x() + p.y() * p.y());
       surface.push_back(tile);
     }
     const Corners panel = rectangle(between(0, 2), between(2.5, 4), between(-2, 0), between(0.5, 2), 4);

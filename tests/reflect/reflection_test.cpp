@@ -121,7 +121,7 @@ TEST_CASE("an obstacle without a vertex in the pyramid, which the source's test 
 TEST_CASE("obstacles behind the panel, behind the mirror, and in the mirror's plane, hide nothing") {
   for (const Corners& obstacle :
        {rectangle(0, 4, -4, 4, 5), rectangle(-3, 3, -3, 3, -1), rectangle(-8, 8, 8, 9, 0), rectangle(0, 4, -4, 4, 4)}) {
-    CAPTURE(obstacle[0].z);
+    CAPTURE(obstacle[0].z());
     CHECK(reflected({floor_mirror, obstacle}, overhead).areas[0] == 1);
   }
 }

@@ -43,7 +43,7 @@ HeightField height_field(int cells, double half, Height height, Normal normal) {
     for (const int corner : corners) {
       face.emplace_back(static_cast<std::size_t>(corner));
       const Point3& p = vertices[static_cast<std::size_t>(corner)];
-      field.normals.push_back(normal(p.x, p.y));
+      field.normals.push_back(normal(p.x(), p.y()));
     }
     faces.push_back(face);
   };
@@ -180,7 +180,7 @@ TEST_CASE("a parabolic mirror shows a small panel in its focus everywhere, as it
 TEST_CASE("normals that the file does not give are means, by area, of the faces around a vertex") {
   const HeightField field = height_field(
       16, 2, [](double x, double y) { return (x * x + y * y) / 16; },
-      [](double /*x*/, double /*y*/) { return Vector3{}; });
+      [](double /*x*/, double /*y*/) -> Vector3 { return Vector3::Zero(); });
   const std::vector<Panel> panels{{"focus", rectangle(-0.25, 0.25, -0.25, 0.25, 4), Emits::both}};
   const MirrorOutcome bent = reflected(field.mesh, panels, straight_down(2), smooth(1e-3));
   // It is all but the border, where the mean looks to one side only.

@@ -31,12 +31,12 @@ double distance_along(const Vector3& direction, const Corners& polygon) {
   int left = 0;
   int right = 0;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const double side = dot(direction, cross(polygon[i], polygon[(i + 1) % polygon.size()]));
+    const double side = direction.dot(polygon[i].cross(polygon[(i + 1) % polygon.size()]));
     left += side > 0 ? 1 : 0;
     right += side < 0 ? 1 : 0;
   }
-  const Vector3 normal = cross(polygon[1] - polygon[0], polygon[2] - polygon[0]);
-  const double distance = dot(polygon[0], normal) / dot(direction, normal);
+  const Vector3 normal = (polygon[1] - polygon[0]).cross(polygon[2] - polygon[0]);
+  const double distance = polygon[0].dot(normal) / direction.dot(normal);
   const bool is_met = std::max(left, right) == static_cast<int>(polygon.size());
   return is_met && distance > 0 ? distance : 0;
 }
@@ -82,7 +82,7 @@ TEST_CASE("depth: faces that straddle each other's planes and show no common pla
 TEST_CASE("depth: of large faces around the eye, as rays have it") {
   std::mt19937_64 random(seed);
   const auto coordinate = [&] { return static_cast<double>(random() % 17) - 8; };
-  const auto place = [&] { return Point3{coordinate(), coordinate(), coordinate()}; };
+  const auto place = [&]() { return Point3{coordinate(), coordinate(), coordinate()}; };
   const Camera camera = at_origin({0, 0, 1});
   int compared = 0;
   for (int pair = 0; pair < 20000; ++pair) {

@@ -105,7 +105,7 @@ TEST_CASE("facet cells: every cell in which a point of the facet lies is named, 
   for (int round = 0; round < 300; ++round) {
     const double size = std::ldexp(1.0, -(round % 8));
     const Point3 middle{place(random), place(random), 0};
-    const auto corner = [&] { return middle + size * Vector3{place(random), place(random), 0}; };
+    const auto corner = [&]() -> Vector3 { return middle + size * Vector3{place(random), place(random), 0}; };
     const Mesh mesh = mesh_of({corner(), corner(), corner()}, {{0, 1, 2}});
     const ProjectedScene scene = seen_from_above(mesh, 12);
     if (scene.status.empty() || scene.status[0] != Status::in_view) continue;
@@ -211,7 +211,7 @@ TEST_CASE("covers: sheets behind a sheet are hidden, whatever their borders are,
 TEST_CASE("covers: sheets without a depth between them hide by their order") {
   const Mesh level = sheets({{1, 0.9137, 16}, {1.01, 0.8871, 15}});
   std::vector<Point3> vertices = level.vertices;
-  for (Point3& p : vertices) p.z += p.x;
+  for (Point3& p : vertices) p.z() += p.x();
   const Mesh tilted = build_mesh(std::move(vertices), level.faces);
   const ProjectedScene scene = seen_from_above(tilted);
   const std::vector<std::uint8_t> hidden = Found(scene).covers.hidden;

@@ -212,7 +212,7 @@ TEST_CASE("worked example: the labelled mesh splits the triangle along the penta
   std::array<double, 2> hidden{};
   for (const LabelledTriangle& t : view.labelled.triangles) {
     const auto at = [&](std::size_t i) { return view.labelled.vertices[t.corners[i].index()]; };
-    const double twice = cross(at(1) - at(0), at(2) - at(0)).z;
+    const double twice = (at(1) - at(0)).cross(at(2) - at(0)).z();
     (t.label == Label::visible ? visible : hidden)[t.face.index()] += twice / 2;
     CHECK((t.label == Label::visible || t.label == Label::hidden));
   }

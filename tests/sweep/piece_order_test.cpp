@@ -41,8 +41,8 @@ FacetId straddling_piece_at(const CutMesh& mesh, const Point3& p) {
   for (std::size_t f = 0; f < mesh.facet_count(); ++f) {
     if (!has_corner_at(mesh, FacetId(f), p)) continue;
     const auto corners = mesh.corners(FacetId(f));
-    const bool reaches_up = std::ranges::any_of(corners, [&](VertexId v) { return mesh.position(v).y > 0; });
-    const bool reaches_down = std::ranges::any_of(corners, [&](VertexId v) { return mesh.position(v).y < 0; });
+    const bool reaches_up = std::ranges::any_of(corners, [&](VertexId v) { return mesh.position(v).y() > 0; });
+    const bool reaches_down = std::ranges::any_of(corners, [&](VertexId v) { return mesh.position(v).y() < 0; });
     if (reaches_up && reaches_down) return FacetId(f);
   }
   FAIL("the scene has no such piece");

@@ -24,7 +24,7 @@ Camera camera_of(Projection projection, const Vector3& right, const Vector3& up,
   camera.forward = forward;
   camera.origin = origin;
   camera.eye = projection == Projection::perspective ? HomogeneousPoint{origin, 1}
-                                                     : HomogeneousPoint{{-forward.x, -forward.y, -forward.z}, 0};
+                                                     : HomogeneousPoint{{-forward.x(), -forward.y(), -forward.z()}, 0};
   return camera;
 }
 

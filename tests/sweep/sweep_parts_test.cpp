@@ -232,7 +232,7 @@ TEST_CASE("node lists: of bars that overlap in a ring the lowest is topmost, and
   std::vector<tests::Corners> bars{{{-10, -10, -2}, {10, -10, -2}, {0, 12, -2}}};
   for (std::size_t i = 0; i < 3; ++i) {
     const Vector3 along = ring[(i + 1) % 3] - ring[i];
-    const Vector3 across{-0.03 * along.y, 0.03 * along.x, 0};
+    const Vector3 across{-0.03 * along.y(), 0.03 * along.x(), 0};
     const Point3 low = ring[i] - 0.25 * along - Vector3{0, 0, 0.25};
     const double rise = 1.25 + 0.05 * static_cast<double>(i);
     const Point3 high = ring[i] + rise * along + Vector3{0, 0, rise};

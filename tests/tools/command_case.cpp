@@ -21,7 +21,7 @@ Box bounds(const Mesh& mesh) {
 
 std::string as_option(const char* option, const Vector3& v) {
   std::string text = option;
-  for (const double x : {v.x, v.y, v.z}) {
+  for (const double x : {v.x(), v.y(), v.z()}) {
     std::array<char, 40> digits{};
     *std::to_chars(digits.data(), digits.data() + digits.size() - 1, x).ptr = 0;
     text += (text.back() == '=' ? "" : ",") + std::string(digits.data());
@@ -38,7 +38,7 @@ std::vector<std::string> camera_options(const fs::path& file) {
   } catch (const InputError&) {
   }
   const Vector3 middle = 0.5 * box.low + 0.5 * box.high;
-  const double extent = std::max({box.high.x - box.low.x, box.high.y - box.low.y, box.high.z - box.low.z});
+  const double extent = std::max({box.high.x() - box.low.x(), box.high.y() - box.low.y(), box.high.z() - box.low.z()});
   const double size = extent > 0 ? extent : 1;
   return {as_option("--eye=", middle + size * Vector3{0.6, 0.7, 1.9}), as_option("--target=", middle), "--fov-y=60"};
 }

@@ -10,15 +10,15 @@ namespace fs = std::filesystem;
 namespace {
 
 struct Box {
-  Point3 low;
-  Point3 high;
+  Point3 low = Point3::Zero();
+  Point3 high = Point3::Zero();
 };
 
 Box box_of(const Mesh& mesh) {
   Box box{mesh.vertices.front(), mesh.vertices.front()};
   for (const Point3& p : mesh.vertices) {
-    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y), std::min(box.low.z, p.z)};
-    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y), std::max(box.high.z, p.z)};
+    box.low = {std::min(box.low.x(), p.x()), std::min(box.low.y(), p.y()), std::min(box.low.z(), p.z())};
+    box.high = {std::max(box.high.x(), p.x()), std::max(box.high.y(), p.y()), std::max(box.high.z(), p.z())};
   }
   return box;
 }
@@ -52,7 +52,7 @@ std::vector<Shot> shots(const Mesh& mesh) {
     return v;
   };
   return {{perspective_camera("front", view(size * Vector3{0.2, 0.3, 1.5}), 40), Sides::both},
-          {perspective_camera("close", view({0.3 * extent.x, 0.2 * extent.y, 0.4 * extent.z}), 70), Sides::both},
+          {perspective_camera("close", view({0.3 * extent.x(), 0.2 * extent.y(), 0.4 * extent.z()}), 70), Sides::both},
           {orthographic_camera("diagonal", view(size * Vector3{1, 0.8, 0.6}), 0.7 * size), Sides::front}};
 }
 

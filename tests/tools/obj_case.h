@@ -46,10 +46,10 @@ inline double area_of(const Mesh& mesh) {
   double area = 0;
   for (std::size_t f = 0; f < mesh.facet_count(); ++f) {
     const auto corners = mesh.corners(FacetId(f));
-    Vector3 normal;
+    Vector3 normal = Vector3::Zero();
     for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
       const Point3& a = mesh.position(corners[0]);
-      normal = normal + cross(mesh.position(corners[i]) - a, mesh.position(corners[i + 1]) - a);
+      normal = normal + (mesh.position(corners[i]) - a).cross(mesh.position(corners[i + 1]) - a);
     }
     area += norm(normal) / 2;
   }

@@ -97,7 +97,7 @@ RandomSurfaces crowded_surfaces(std::uint64_t seed) {
     const int waves = dice.between(0, 400);
     for (const Point3& p : places)
       faces.vertices.push_back(
-          {p.x + hundredths(spread), p.y + hundredths(spread), p.z + 3.0 * sheet + hundredths(waves)});
+          {p.x() + hundredths(spread), p.y() + hundredths(spread), p.z() + 3.0 * sheet + hundredths(waves)});
     for (std::size_t i = 0; i < cells * cells; ++i)
       add_square(faces, first + i / cells * (cells + 1) + i % cells, cells + 1, false);
   }
