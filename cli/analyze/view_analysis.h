@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cli/system/progress.h"
-#include "formats/reading/obj_statements.h"
+#include "formats/reading/read_limits.h"
 #include "geometry/cutting/interpenetration.h"
 #include "sightline/analyze.h"
 

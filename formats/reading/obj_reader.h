@@ -38,7 +38,7 @@
 #include <string_view>
 #include <vector>
 
-#include "formats/reading/obj_statements.h"
+#include "formats/reading/read_limits.h"
 #include "geometry/mesh/mesh.h"
 #include "geometry/numbers/errors.h"
 

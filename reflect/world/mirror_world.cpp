@@ -1,7 +1,7 @@
 #include "reflect/world/mirror_world.h"
 
-#include "geometry/mesh/facet_plane.h"
 #include "geometry/mesh/vertex_normals.h"
+#include "reflect/world/wholes.h"
 
 namespace sightline::inline reflect {
 
@@ -32,21 +32,6 @@ MirrorWorld make_mirror_world(const Mesh& surface, std::vector<Panel> panels, co
     world.panel_boxes.push_back(box_of(mesh, mesh.faces[0]));
   }
   return world;
-}
-
-CutPolygon whole_polygon(const Mesh& mesh, WholeId whole) {
-  CutPolygon polygon;
-  for (const VertexId v : whole_corners(mesh, whole)) polygon.push_back({exact_position(mesh.position(v)), v, {}});
-  return polygon;
-}
-
-std::array<Point3, 3> plane_points(const Mesh& mesh, FacetId facet) {
-  const auto [a, b, c] = plane_corners(mesh, facet);
-  return {mesh.position(a), mesh.position(b), mesh.position(c)};
-}
-
-ExactPlane plane_through(const std::array<Point3, 3>& points) {
-  return plane_through(exact_position(points[0]), exact_position(points[1]), exact_position(points[2]));
 }
 
 }  // namespace sightline::inline reflect

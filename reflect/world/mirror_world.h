@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "geometry/cutting/facet_cutter.h"
+#include "geometry/numbers/exact_position.h"
 #include "reflect/world/obstacles.h"
 #include "reflect/world/panel.h"
 #include "reflect/world/reflection_options.h"
@@ -26,12 +26,6 @@ struct MirrorWorld {
 [[nodiscard]] MirrorWorld make_mirror_world(const Mesh& surface, std::vector<Panel> panels,
                                             const ReflectionOptions& options = {},
                                             const std::vector<Vector3>& given_normals = {});
-
-[[nodiscard]] CutPolygon whole_polygon(const Mesh& mesh, WholeId whole);
-
-// Three corners that are not on one line.
-[[nodiscard]] std::array<Point3, 3> plane_points(const Mesh& mesh, FacetId facet);
-[[nodiscard]] ExactPlane plane_through(const std::array<Point3, 3>& points);
 
 struct ReflectionStatistics {
   std::uint64_t pyramids = 0;   // pairs of a panel and what may reflect it: a visible polygon, a triangle, a cell
