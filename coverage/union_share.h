@@ -19,6 +19,7 @@
 #include <span>
 
 #include "geometry/mesh/mesh.h"
+#include "geometry/numbers/export.h"
 
 namespace sightline::inline coverage {
 
@@ -29,6 +30,7 @@ struct UnionShare {
   double error = 0;  // the bound above
 };
 
-[[nodiscard]] UnionShare union_share(const Mesh& mesh, FacetId surface, std::span<const SpaceTriangle> triangles);
+[[nodiscard]] SIGHTLINE_EXPORT UnionShare union_share(const Mesh& mesh, FacetId surface,
+                                                      std::span<const SpaceTriangle> triangles);
 
 }  // namespace sightline::inline coverage

@@ -19,5 +19,6 @@
 #include "reflect/reflections.h"
 #include "reflect/world/panel.h"
 #include "sightline/analyze.h"
+#include "sightline/version.h"
 #include "sweep/plain/sweep.h"
 #include "sweep/segments/visible_segments.h"

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <limits>
 
+#include "geometry/numbers/export.h"
+
 namespace sightline::inline formats {
 
 // A file that needs more is refused at the statement where that shows.
@@ -20,6 +22,6 @@ constexpr std::size_t most_corners = 10000;
 
 // What it takes to hold the statements, to build a mesh of them, to look for facets that meet, and to project it: a
 // measured upper bound (obj_statements.cpp says how) where no more facets meet than there are.
-[[nodiscard]] std::uint64_t memory_for_mesh(std::uint64_t vertices, std::uint64_t corners, std::uint64_t faces);
+[[nodiscard]] SIGHTLINE_EXPORT std::uint64_t memory_for_mesh(std::uint64_t vertices, std::uint64_t corners, std::uint64_t faces);
 
 }  // namespace sightline::inline formats

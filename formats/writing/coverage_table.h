@@ -9,16 +9,18 @@
 #include <string>
 
 #include "coverage/coverage.h"
+#include "geometry/numbers/export.h"
 
 namespace sightline::inline formats {
 
 constexpr const char* coverage_file = "coverage.csv";
 
 // cameras, panels: their names, as many as the coverage has.
-[[nodiscard]] std::string coverage_table(const Coverage& coverage, const std::vector<std::string>& cameras,
-                                         const std::vector<std::string>& panels);
+[[nodiscard]] SIGHTLINE_EXPORT std::string coverage_table(const Coverage& coverage,
+                                                          const std::vector<std::string>& cameras,
+                                                          const std::vector<std::string>& panels);
 
 // Of an area within another one, in [0, 1].
-[[nodiscard]] double share_of(double part, double whole);
+[[nodiscard]] SIGHTLINE_EXPORT double share_of(double part, double whole);
 
 }  // namespace sightline::inline formats

@@ -10,11 +10,13 @@
 
 #include "formats/writing/text_buffer.h"
 #include "geometry/mesh/mesh.h"
+#include "geometry/numbers/export.h"
 #include "sightline/analyze.h"
 
 namespace sightline::inline formats {
 
 // places: window_points(view).
-void write_segments_table(const Mesh& mesh, const View& view, const std::vector<Point2>& places, TextBuffer& out);
+SIGHTLINE_EXPORT void write_segments_table(const Mesh& mesh, const View& view, const std::vector<Point2>& places,
+                                           TextBuffer& out);
 
 }  // namespace sightline::inline formats

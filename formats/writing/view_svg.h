@@ -11,12 +11,13 @@
 
 #include "formats/writing/text_buffer.h"
 #include "geometry/mesh/mesh.h"
+#include "geometry/numbers/export.h"
 #include "sightline/analyze.h"
 
 namespace sightline::inline formats {
 
 // places: window_points(view). panels: the names of all panels; none: without their layers.
-void write_view_svg(const Mesh& mesh, const View& view, const std::vector<Point2>& places,
-                    const std::vector<std::string>& panels, TextBuffer& out);
+SIGHTLINE_EXPORT void write_view_svg(const Mesh& mesh, const View& view, const std::vector<Point2>& places,
+                                     const std::vector<std::string>& panels, TextBuffer& out);
 
 }  // namespace sightline::inline formats

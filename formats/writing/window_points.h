@@ -5,13 +5,14 @@
 
 #include <vector>
 
+#include "geometry/numbers/export.h"
 #include "sightline/analyze.h"
 
 namespace sightline::inline formats {
 
-[[nodiscard]] std::vector<Point2> window_points(const View& view);
+[[nodiscard]] SIGHTLINE_EXPORT std::vector<Point2> window_points(const View& view);
 
 // Of a point that the camera sees, in floating point.
-[[nodiscard]] Point2 window_place(const Camera& camera, const Point3& p);
+[[nodiscard]] SIGHTLINE_EXPORT Point2 window_place(const Camera& camera, const Point3& p);
 
 }  // namespace sightline::inline formats

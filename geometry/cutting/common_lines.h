@@ -16,12 +16,13 @@
 
 #include "geometry/cutting/interpenetration.h"
 #include "geometry/mesh/mesh.h"
+#include "geometry/numbers/export.h"
 
 namespace sightline::inline geometry {
 
-[[nodiscard]] Mesh cut_along_common_lines(Mesh mesh, const MeshContacts& contacts);
+[[nodiscard]] SIGHTLINE_EXPORT Mesh cut_along_common_lines(Mesh mesh, const MeshContacts& contacts);
 
 // The mesh before it was cut.
-[[nodiscard]] Mesh without_cuts(const Mesh& mesh);
+[[nodiscard]] SIGHTLINE_EXPORT Mesh without_cuts(const Mesh& mesh);
 
 }  // namespace sightline::inline geometry

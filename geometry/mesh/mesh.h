@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "geometry/numbers/exact_position.h"
+#include "geometry/numbers/export.h"
 #include "geometry/numbers/ids.h"
 #include "geometry/numbers/vector3.h"
 
@@ -48,8 +49,8 @@ enum class Defect : std::uint8_t {
   repeated_face,    // the same corners (by position) as an earlier face, in either direction: skipped
   repeated_corner,  // consecutive equal corners, or a spike that turns straight back: removed, the rest is kept
 };
-[[nodiscard]] const char* to_string(Defect defect);
-[[nodiscard]] bool is_skipped(Defect defect);
+[[nodiscard]] SIGHTLINE_EXPORT const char* to_string(Defect defect);
+[[nodiscard]] SIGHTLINE_EXPORT bool is_skipped(Defect defect);
 
 struct FaceDefect {
   FaceId face;
@@ -102,15 +103,15 @@ struct Mesh {
 
 // Throws std::invalid_argument if a corner names no vertex or a coordinate is not finite (readers check this first,
 // with file and line).
-[[nodiscard]] Mesh build_mesh(std::vector<Point3> vertices, PolygonList faces);
+[[nodiscard]] SIGHTLINE_EXPORT Mesh build_mesh(std::vector<Point3> vertices, PolygonList faces);
 
 // A vertex' exact position, whether it is the input's or made by cutting.
-[[nodiscard]] ExactPosition exact_position(const Mesh& mesh, VertexId v);
+[[nodiscard]] SIGHTLINE_EXPORT ExactPosition exact_position(const Mesh& mesh, VertexId v);
 
 // Whether three vertices lie on one line, exactly.
-[[nodiscard]] bool collinear(const Mesh& mesh, VertexId a, VertexId b, VertexId c);
+[[nodiscard]] SIGHTLINE_EXPORT bool collinear(const Mesh& mesh, VertexId a, VertexId b, VertexId c);
 
 // What of the above does not hold, one line each, with the ids; empty for a valid mesh.
-[[nodiscard]] std::vector<std::string> validate(const Mesh& mesh);
+[[nodiscard]] SIGHTLINE_EXPORT std::vector<std::string> validate(const Mesh& mesh);
 
 }  // namespace sightline::inline geometry

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <span>
 
+#include "geometry/numbers/export.h"
+
 namespace sightline::inline geometry {
 
 struct Vector3 {
@@ -32,17 +34,17 @@ constexpr Vector3 cross(const Vector3& a, const Vector3& b) {
 inline double norm(const Vector3& v) { return std::hypot(v.x, v.y, v.z); }
 
 // The largest of |x|, |y|, |z|.
-[[nodiscard]] double largest_coordinate(const Vector3& v);
+[[nodiscard]] SIGHTLINE_EXPORT double largest_coordinate(const Vector3& v);
 
 // The same direction with its largest coordinate in [1, 2), by a power of two, so that squares and products of
 // coordinates neither overflow nor vanish. Zero stays zero.
-[[nodiscard]] Vector3 with_moderate_exponent(const Vector3& v);
+[[nodiscard]] SIGHTLINE_EXPORT Vector3 with_moderate_exponent(const Vector3& v);
 
 // The vector of length 1 in the same direction, whatever the length; zero for zero. No coordinate is -0.0.
-[[nodiscard]] Vector3 unit(const Vector3& v);
+[[nodiscard]] SIGHTLINE_EXPORT Vector3 unit(const Vector3& v);
 
 // The power of two that brings the positions' largest coordinate into [1, 2): what is computed of scaled positions
 // neither overflows nor underflows. 1 where all are zero.
-[[nodiscard]] double unit_scale(std::span<const Point3> positions);
+[[nodiscard]] SIGHTLINE_EXPORT double unit_scale(std::span<const Point3> positions);
 
 }  // namespace sightline::inline geometry

@@ -19,6 +19,7 @@
 #include <optional>
 #include <string>
 
+#include "geometry/numbers/export.h"
 #include "geometry/numbers/predicates.h"
 #include "geometry/numbers/vector3.h"
 
@@ -34,8 +35,8 @@ struct Camera {
   Vector3 forward;
   Point3 origin;         // the eye of a pinhole; a point that is seen at the window's centre otherwise
   HomogeneousPoint eye;  // origin, or for an orthographic camera the direction towards the viewer with w = 0
-  std::optional<double> near_distance;
-  std::optional<double> far_distance;
+  std::optional<double> near_distance = std::nullopt;
+  std::optional<double> far_distance = std::nullopt;
   double aspect = 1;  // the window's width over its height, for display only
 };
 
@@ -44,15 +45,15 @@ struct ViewPoint {
   Point3 target;
   Vector3 up{0, 1, 0};
   double aspect = 1;
-  std::optional<double> near_distance;
-  std::optional<double> far_distance;
+  std::optional<double> near_distance = std::nullopt;
+  std::optional<double> far_distance = std::nullopt;
 };
 
 // fov_y: the full vertical angle in degrees, in (0, 180).
-[[nodiscard]] Camera perspective_camera(std::string name, const ViewPoint& view, double fov_y_degrees);
+[[nodiscard]] SIGHTLINE_EXPORT Camera perspective_camera(std::string name, const ViewPoint& view, double fov_y_degrees);
 
 // height: the window's height in input units.
-[[nodiscard]] Camera orthographic_camera(std::string name, const ViewPoint& view, double height);
+[[nodiscard]] SIGHTLINE_EXPORT Camera orthographic_camera(std::string name, const ViewPoint& view, double height);
 
 using Matrix3 = std::array<std::array<double, 3>, 3>;
 using Matrix34 = std::array<std::array<double, 4>, 3>;
@@ -64,14 +65,15 @@ struct PixelImage {
   double width = 0;
   double height = 0;
   PixelOrigin origin = PixelOrigin::corner;
-  std::optional<double> near_distance;
-  std::optional<double> far_distance;
+  std::optional<double> near_distance = std::nullopt;
+  std::optional<double> far_distance = std::nullopt;
 };
 
 // Pixels: x right, y down; camera frame: z forward. P maps (v, 1) to homogeneous pixels. P and -P are the same camera;
 // the one with det(P[:, :3]) > 0 is meant (K with a positive diagonal and R a rotation).
-[[nodiscard]] Camera projection_matrix_camera(std::string name, const Matrix34& p, const PixelImage& image);
-[[nodiscard]] Camera calibrated_camera(std::string name, const Matrix3& k, const Matrix3& r, const Vector3& t,
-                                       const PixelImage& image);
+[[nodiscard]] SIGHTLINE_EXPORT Camera projection_matrix_camera(std::string name, const Matrix34& p,
+                                                               const PixelImage& image);
+[[nodiscard]] SIGHTLINE_EXPORT Camera calibrated_camera(std::string name, const Matrix3& k, const Matrix3& r,
+                                                        const Vector3& t, const PixelImage& image);
 
 }  // namespace sightline::inline geometry

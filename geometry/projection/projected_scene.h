@@ -25,6 +25,7 @@
 
 #include "geometry/mesh/mesh.h"
 #include "geometry/numbers/arithmetic.h"
+#include "geometry/numbers/export.h"
 #include "geometry/numbers/ids.h"
 #include "geometry/numbers/image_point.h"
 #include "geometry/projection/camera.h"
@@ -127,10 +128,10 @@ struct ProjectedScene {
   return corner.vertex.valid() ? scene.vertex_weights[corner.vertex.index()] : scene.made(corner).weight;
 }
 
-[[nodiscard]] ProjectedScene project(const Mesh& mesh, const Camera& camera, Sides sides,
-                                     const Precision& precision = {});
+[[nodiscard]] SIGHTLINE_EXPORT ProjectedScene project(const Mesh& mesh, const Camera& camera, Sides sides,
+                                                      const Precision& precision = {});
 
 // What of the above does not hold, one line each, with the ids; empty for a valid scene.
-[[nodiscard]] std::vector<std::string> validate(const ProjectedScene& scene);
+[[nodiscard]] SIGHTLINE_EXPORT std::vector<std::string> validate(const ProjectedScene& scene);
 
 }  // namespace sightline::inline geometry

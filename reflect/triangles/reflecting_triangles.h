@@ -12,11 +12,13 @@
 // Source: Koucky 2014, 3.9 and algorithm 3.6. Added to it: a panel that emits to its front only, an orthographic camera.
 #pragma once
 
+#include "geometry/numbers/export.h"
 #include "reflect/reflections.h"
 
 namespace sightline::inline reflect {
 
 // Marks the triangles. The reflections have no polygons.
-[[nodiscard]] Reflections reflecting_triangles(const MirrorWorld& world, const Camera& camera, LabelledMesh& labelled);
+[[nodiscard]] SIGHTLINE_EXPORT Reflections reflecting_triangles(const MirrorWorld& world, const Camera& camera,
+                                                                LabelledMesh& labelled);
 
 }  // namespace sightline::inline reflect

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "geometry/numbers/exact_position.h"
+#include "geometry/numbers/export.h"
 #include "reflect/world/obstacles.h"
 #include "reflect/world/panel.h"
 #include "reflect/world/reflection_options.h"
@@ -23,9 +24,9 @@ struct MirrorWorld {
 };
 
 // given_normals: see vertex_normals. Errors: PanelError.
-[[nodiscard]] MirrorWorld make_mirror_world(const Mesh& surface, std::vector<Panel> panels,
-                                            const ReflectionOptions& options = {},
-                                            const std::vector<Vector3>& given_normals = {});
+[[nodiscard]] SIGHTLINE_EXPORT MirrorWorld make_mirror_world(const Mesh& surface, std::vector<Panel> panels,
+                                                             const ReflectionOptions& options = {},
+                                                             const std::vector<Vector3>& given_normals = {});
 
 struct ReflectionStatistics {
   std::uint64_t pyramids = 0;   // pairs of a panel and what may reflect it: a visible polygon, a triangle, a cell

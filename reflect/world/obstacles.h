@@ -10,10 +10,11 @@
 
 #include "geometry/mesh/box_hierarchy.h"
 #include "geometry/mesh/mesh.h"
+#include "geometry/numbers/export.h"
 
 namespace sightline::inline reflect {
 
-class Obstacles {
+class SIGHTLINE_EXPORT Obstacles {
  public:
   Obstacles() = default;
   // Of a mesh that was cut along common lines: the facets before. Which pieces they are in is of no interest here.
@@ -27,8 +28,8 @@ class Obstacles {
 };
 
 // The corners of a whole: of a facet, where the mesh was not cut.
-[[nodiscard]] std::span<const VertexId> whole_corners(const Mesh& mesh, WholeId whole);
+[[nodiscard]] SIGHTLINE_EXPORT std::span<const VertexId> whole_corners(const Mesh& mesh, WholeId whole);
 
-[[nodiscard]] Box box_of(const Mesh& mesh, std::span<const VertexId> corners);
+[[nodiscard]] SIGHTLINE_EXPORT Box box_of(const Mesh& mesh, std::span<const VertexId> corners);
 
 }  // namespace sightline::inline reflect

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "geometry/mesh/mesh.h"
+#include "geometry/numbers/export.h"
 
 namespace sightline::inline reflect {
 
@@ -21,13 +22,13 @@ struct Panel {
   Emits emits = Emits::both;
 };
 
-class PanelError : public std::runtime_error {
+class SIGHTLINE_EXPORT PanelError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
 // The panel as the only face of a mesh. Throws PanelError for a panel that is no planar polygon: fewer than three
 // corners, no area, a corner that bounds nothing, corners beside its plane, a border that crosses itself. Precondition:
 // coordinates are finite.
-[[nodiscard]] Mesh panel_mesh(const Panel& panel);
+[[nodiscard]] SIGHTLINE_EXPORT Mesh panel_mesh(const Panel& panel);
 
 }  // namespace sightline::inline reflect

@@ -16,6 +16,7 @@
 #pragma once
 
 #include "geometry/mesh/mesh.h"
+#include "geometry/numbers/export.h"
 #include "geometry/projection/projected_scene.h"
 #include "sweep/plain/depth_ranges.h"
 #include "sweep/segments/visible_segments.h"
@@ -25,7 +26,7 @@ namespace sightline::inline sweep {
 class SweepState;
 
 // Called at every sweep point, after it has been worked off. Teaching, tracing, progress and statistics hang on it.
-class SweepObserver {
+class SIGHTLINE_EXPORT SweepObserver {
  public:
   virtual ~SweepObserver() = default;
 
@@ -43,11 +44,11 @@ class SweepObserver {
   virtual void look(const SweepState& /*state*/) {}
 };
 
-[[nodiscard]] VisibleSegments plain_sweep(const Mesh& mesh, const ProjectedScene& scene,
-                                          SweepObserver* observer = nullptr);
+[[nodiscard]] SIGHTLINE_EXPORT VisibleSegments plain_sweep(const Mesh& mesh, const ProjectedScene& scene,
+                                                           SweepObserver* observer = nullptr);
 
 // depths: as depth_ranges(mesh, scene) gives them for the facets in view, where they are known already.
-[[nodiscard]] VisibleSegments plain_sweep(const Mesh& mesh, const ProjectedScene& scene,
-                                          std::span<const DepthRange> depths, SweepObserver* observer);
+[[nodiscard]] SIGHTLINE_EXPORT VisibleSegments plain_sweep(const Mesh& mesh, const ProjectedScene& scene,
+                                                           std::span<const DepthRange> depths, SweepObserver* observer);
 
 }  // namespace sightline::inline sweep

@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/numbers/export.h"
 #include "geometry/numbers/ids.h"
 #include "geometry/projection/projected_scene.h"
 
@@ -89,10 +90,12 @@ struct ExactPoint {
   Wide512 denominator;
 };
 // For many points or predicates on them use ImagePoints (image_points.h).
-[[nodiscard]] ExactPoint exact_point(const ProjectedScene& scene, const VisibleSegments& segments, PointId p);
+[[nodiscard]] SIGHTLINE_EXPORT ExactPoint exact_point(const ProjectedScene& scene, const VisibleSegments& segments,
+                                                      PointId p);
 
 // What of the above does not hold, one line each, with the ids; empty for a valid value.
-[[nodiscard]] std::vector<std::string> validate(const VisibleSegments& segments, const ProjectedScene& scene);
+[[nodiscard]] SIGHTLINE_EXPORT std::vector<std::string> validate(const VisibleSegments& segments,
+                                                                 const ProjectedScene& scene);
 
 // Order of points in the sweep, for scene points and crossings alike: an O(1) comparison of ids.
 class SweepOrder {
