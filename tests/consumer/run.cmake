@@ -1,5 +1,5 @@
 # Builds one of the outside projects and runs it.
-#   cmake -D PROJECT=find_package|add_subdirectory|headers|pkg_config -D WORK=DIR [-D PREFIX=DIR] -D COMPILER=CXX
+#   cmake -D PROJECT=find_package|add_subdirectory|headers|examples|pkg_config -D WORK=DIR [-D PREFIX=DIR] -D COMPILER=CXX
 #     -D FLAGS=FLAGS [-D PKG_CONFIG=COMMAND] -P run.cmake
 # PREFIX: where sightline is installed (install.cmake), for all but add_subdirectory.
 function(run)
@@ -7,7 +7,11 @@ function(run)
 endfunction()
 
 function(build_with_cmake)
-  run(${CMAKE_COMMAND} -G Ninja -S "${CMAKE_CURRENT_LIST_DIR}/${PROJECT}" -B "${WORK}"
+  set(source "${CMAKE_CURRENT_LIST_DIR}/${PROJECT}")
+  if(PROJECT STREQUAL "examples")
+    set(source "${CMAKE_CURRENT_LIST_DIR}/../../examples")
+  endif()
+  run(${CMAKE_COMMAND} -G Ninja -S "${source}" -B "${WORK}"
     "-DCMAKE_PREFIX_PATH=${PREFIX}" "-DCMAKE_CXX_COMPILER=${COMPILER}" "-DCMAKE_CXX_FLAGS=${FLAGS}")
   run(${CMAKE_COMMAND} --build "${WORK}")
 endfunction()
