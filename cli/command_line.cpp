@@ -8,12 +8,12 @@
 
 #include "cli/camera_options.h"
 #include "cli/compare_options.h"
-#include "cli/trace_options.h"
 #include "cli/completion.h"
 #include "cli/options/option_values.h"
 #include "cli/scene/scene_file.h"
 #include "cli/stability/stability_families.h"
 #include "cli/system/memory_limit.h"
+#include "cli/trace_options.h"
 
 namespace sightline::cli {
 

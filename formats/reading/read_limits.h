@@ -22,6 +22,7 @@ constexpr std::size_t most_corners = 10000;
 
 // What it takes to hold the statements, to build a mesh of them, to look for facets that meet, and to project it: a
 // measured upper bound (obj_statements.cpp says how) where no more facets meet than there are.
-[[nodiscard]] SIGHTLINE_EXPORT std::uint64_t memory_for_mesh(std::uint64_t vertices, std::uint64_t corners, std::uint64_t faces);
+[[nodiscard]] SIGHTLINE_EXPORT std::uint64_t memory_for_mesh(std::uint64_t vertices, std::uint64_t corners,
+                                                             std::uint64_t faces);
 
 }  // namespace sightline::inline formats
