@@ -2,9 +2,10 @@
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_VENDOR "The sightline authors")
 set(CPACK_PACKAGE_CONTACT "The sightline authors <sightline@localhost>")
-set(CPACK_PACKAGE_DESCRIPTION "Where a renderer answers in pixels, sightline answers with the visible polygons
-themselves, and gives the surface back, refined and labelled: each triangle is wholly visible, hidden, back-facing or
-out of view, and reflects a light panel wholly or not at all. A command, and a C++20 library.")
+set(CPACK_PACKAGE_DESCRIPTION "Where a renderer answers in pixels, sightline answers with the visible
+polygons themselves, and gives the surface back, refined and labelled: each
+triangle is wholly visible, hidden, back-facing or out of view, and reflects
+a light panel wholly or not at all. A command, and a C++20 library.")
 set(CPACK_RESOURCE_FILE_LICENSE "${PROJECT_SOURCE_DIR}/LICENSE")
 set(CPACK_STRIP_FILES ON)
 
