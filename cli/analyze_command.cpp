@@ -69,16 +69,16 @@ Report written_report(const SceneDescription& scene, const MeshInput& input, con
 }
 
 // output: null where no files are wanted.
-Report camera_report(const SceneDescription& scene, const MeshInput& input, const ViewAnalysis& analysis, Output* output,
-                     Progress& progress) {
+Report camera_report(const SceneDescription& scene, const MeshInput& input, const ViewAnalysis& analysis,
+                     Output* output, Progress& progress) {
   if (output == nullptr) return make_report(scene, input, analysis, measure_faces(analysis.view), 0);
   output->seen.push_back(seen_part(analysis.view.labelled));
   progress.stage(analysis.view.scene.camera.name + ": write the results");
   return written_report(scene, input, analysis, *output);
 }
 
-Coverage published_coverage(const SceneDescription& scene, const CutMesh& mesh, const std::vector<Report>& reports, Output& output,
-                            Progress& progress) {
+Coverage published_coverage(const SceneDescription& scene, const CutMesh& mesh, const std::vector<Report>& reports,
+                            Output& output, Progress& progress) {
   progress.stage("what the cameras cover together");
   Coverage coverage = cover(mesh, output.seen, scene.panels.size());
   output.results.write_beside(coverage_file, coverage_table(coverage, names_of(scene.cameras), names_of(scene.panels)));
@@ -95,8 +95,8 @@ std::string standard_output(const std::vector<Report>& reports, const std::optio
   return options.quiet ? "" : summary(reports, coverage.value(), *options.output, options.report_page);
 }
 
-AnalysisOptions analysis_options(const SceneDescription& scene, const AnalyzeOptions& options, std::vector<Vector3> corner_normals,
-                                 AnalysisWatch& watch) {
+AnalysisOptions analysis_options(const SceneDescription& scene, const AnalyzeOptions& options,
+                                 std::vector<Vector3> corner_normals, AnalysisWatch& watch) {
   return {scene.sides,      options.precision,         options.engine, options.threads,
           scene.reflection, std::move(corner_normals), &watch};
 }

@@ -1,13 +1,18 @@
-# How every target of the project is compiled, and what a room is.
+# How every target of the project is compiled, what a room is, and what users get of the rooms.
 
 # Inline functions of our headers must round as the library does, wherever they are compiled: contraction is off for
-# users too. Warnings are for our own builds only, and without those that g++ 12 reports at -O3 for correct code inlined
-# from std::string (GCC bug 105651; more of them where headers are precompiled) and from Boost's small_vector.
-function(sightline_compile_options target)
+# users too.
+function(sightline_usage_options target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_compile_options(${target} PUBLIC -ffp-contract=off)
-  # Eigen sums in another order where it uses the processor's vector instructions: so it does not.
-  target_compile_definitions(${target} PRIVATE EIGEN_DONT_VECTORIZE)
+  # One order of summation whatever the processor; and the linker may take a function of Eigen's from any object.
+  target_compile_definitions(${target} PUBLIC EIGEN_DONT_VECTORIZE)
+endfunction()
+
+# Warnings are for our own builds only, and without those that g++ 12 reports at -O3 for correct code inlined
+# from std::string (GCC bug 105651; more of them where headers are precompiled) and from Boost's small_vector.
+function(sightline_compile_options target)
+  sightline_usage_options(${target})
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
   if(PROJECT_IS_TOP_LEVEL)
     target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion
@@ -45,20 +50,32 @@ function(sightline_unity_build target)
   endforeach()
 endfunction()
 
-# A room is a folder of the source tree and the static library sightline_<room> made of all its sources; what it may
-# include is what it is linked with.
+# A room is a folder of the source tree and the static library sightline_<room> made of all its sources, for our own
+# programs: they use what users do not see. What a room may include is what it is linked with.
 function(sightline_add_room room)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/${room}/*.cpp")
-  list(FILTER sources EXCLUDE REGEX "/formats/pictures/")  # they need libpng: a part of the command
-  set(target sightline_${room})
+  string(MAKE_C_IDENTIFIER "sightline_${room}" target)
   add_library(${target} STATIC ${sources})
-  if(NOT room STREQUAL "sightline")  # sightline::sightline is all rooms
-    add_library(sightline::${room} ALIAS ${target})
-    set_target_properties(${target} PROPERTIES EXPORT_NAME ${room})
-  endif()
-  target_include_directories(${target} PUBLIC
-    "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>"
-    "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/sightline-${PROJECT_VERSION}>")
+  target_include_directories(${target} PUBLIC "${PROJECT_SOURCE_DIR}")
   target_link_libraries(${target} PUBLIC ${ARGN})
   sightline_compile_options(${target})
+endfunction()
+
+# The library that users link: the objects of these rooms. Of a shared one only what is marked SIGHTLINE_EXPORT is seen
+# from outside. As long as the major version is 0, a minor one may break what is compiled against it.
+function(sightline_add_library)
+  add_library(sightline_library)
+  add_library(sightline::sightline ALIAS sightline_library)
+  foreach(room IN LISTS ARGN)
+    set_target_properties(${room} PROPERTIES CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+    if(BUILD_SHARED_LIBS)
+      set_target_properties(${room} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    endif()
+    target_sources(sightline_library PRIVATE $<TARGET_OBJECTS:${room}>)
+  endforeach()
+  set_target_properties(sightline_library PROPERTIES OUTPUT_NAME sightline EXPORT_NAME sightline LINKER_LANGUAGE CXX
+    VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+  target_include_directories(sightline_library INTERFACE
+    "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>" "$<INSTALL_INTERFACE:${SIGHTLINE_HEADER_DIR}>")
+  sightline_usage_options(sightline_library)
 endfunction()

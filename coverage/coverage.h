@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "coverage/seen_part.h"
+#include "geometry/numbers/export.h"
 
 namespace sightline::inline coverage {
 
@@ -39,6 +40,7 @@ struct Coverage {
   std::vector<FaceCoverage> faces;
 };
 
-[[nodiscard]] Coverage cover(const CutMesh& mesh, std::span<const SeenPart> cameras, std::size_t panel_count);
+[[nodiscard]] SIGHTLINE_EXPORT Coverage cover(const CutMesh& mesh, std::span<const SeenPart> cameras,
+                                              std::size_t panel_count);
 
 }  // namespace sightline::inline coverage

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "coverage/union_share.h"
+#include "geometry/numbers/export.h"
 #include "reconstruct/labelling/labelled_mesh.h"
 
 namespace sightline::inline coverage {
@@ -42,6 +43,6 @@ struct SeenPart {
   }
 };
 
-[[nodiscard]] SeenPart seen_part(const LabelledMesh& labelled);
+[[nodiscard]] SIGHTLINE_EXPORT SeenPart seen_part(const LabelledMesh& labelled);
 
 }  // namespace sightline::inline coverage

@@ -20,6 +20,7 @@
 #include <span>
 
 #include "geometry/mesh/cut_mesh.h"
+#include "geometry/numbers/export.h"
 
 namespace sightline::inline coverage {
 
@@ -30,6 +31,7 @@ struct UnionShare {
   double error = 0;  // the bound above
 };
 
-[[nodiscard]] UnionShare union_share(const CutMesh& mesh, FacetId surface, std::span<const SpaceTriangle> triangles);
+[[nodiscard]] SIGHTLINE_EXPORT UnionShare union_share(const CutMesh& mesh, FacetId surface,
+                                                      std::span<const SpaceTriangle> triangles);
 
 }  // namespace sightline::inline coverage

@@ -16,6 +16,7 @@
 
 #include <vector>
 
+#include "geometry/numbers/export.h"
 #include "reconstruct/labelling/labelled_mesh.h"
 #include "reflect/world/mirror_world.h"
 
@@ -38,10 +39,11 @@ struct ReflectedView {
   Reflections reflections;
 };
 
-[[nodiscard]] ReflectedView find_reflections(const MirrorWorld& world, const ProjectedScene& scene,
-                                             const VisibleSegments& segments, const VisiblePolygons& polygons);
+[[nodiscard]] SIGHTLINE_EXPORT ReflectedView find_reflections(const MirrorWorld& world, const ProjectedScene& scene,
+                                                              const VisibleSegments& segments,
+                                                              const VisiblePolygons& polygons);
 
 // Returns the borders of the reflecting polygons above resolution, as label_mesh wants them.
-[[nodiscard]] PanelBorders panel_borders(const Reflections& reflections);
+[[nodiscard]] SIGHTLINE_EXPORT PanelBorders panel_borders(const Reflections& reflections);
 
 }  // namespace sightline::inline reflect

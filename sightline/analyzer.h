@@ -17,12 +17,13 @@
 #include <optional>
 
 #include "geometry/cutting/interpenetration.h"
+#include "geometry/numbers/export.h"
 #include "sightline/options.h"
 #include "sightline/view.h"
 
 namespace sightline {
 
-class Analyzer {
+class SIGHTLINE_EXPORT Analyzer {
  public:
   explicit Analyzer(Mesh mesh, AnalysisOptions options = {});
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/numbers/arithmetic.h"
+#include "geometry/numbers/export.h"
 #include "geometry/projection/culling.h"
 #include "reflect/world/reflection_options.h"
 #include "sweep/engine.h"
@@ -17,7 +18,7 @@ enum class Stage : std::uint8_t { contacts, cut, sides, project, sweep, reconstr
 
 // Whoever wants to show progress, take times, check memory or cancel derives from this. Whatever a function throws ends the
 // analysis with that exception; so does what the sweep's observer throws.
-class AnalysisHook {
+class SIGHTLINE_EXPORT AnalysisHook {
  public:
   AnalysisHook() = default;
   AnalysisHook(const AnalysisHook&) = delete;

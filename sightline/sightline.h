@@ -19,5 +19,7 @@
 #include "reflect/reflections.h"
 #include "reflect/world/panel.h"
 #include "sightline/analyzer.h"
+#include "sightline/matrices.h"
+#include "sightline/version.h"
 #include "sweep/plain/sweep.h"
 #include "sweep/segments/visible_segments.h"

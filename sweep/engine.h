@@ -15,21 +15,24 @@
 #include <cstdint>
 #include <optional>
 
+#include "geometry/numbers/export.h"
 #include "sweep/plain/sweep.h"
 
 namespace sightline::inline sweep {
 
 enum class Engine : std::uint8_t { fast, full };
 
-[[nodiscard]] VisibleSegments find_visible_segments(const ProjectedScene& scene, Engine engine = Engine::fast,
-                                                    SweepObserver* observer = nullptr);
+[[nodiscard]] SIGHTLINE_EXPORT VisibleSegments find_visible_segments(const ProjectedScene& scene,
+                                                                     Engine engine = Engine::fast,
+                                                                     SweepObserver* observer = nullptr);
 
 // The fast engine chooses these by itself; the result does not depend on them.
 struct FastOptions {
   std::optional<int> level;          // 2^level cells along each side of the window
   std::optional<std::size_t> bands;  // that are swept in parallel
 };
-[[nodiscard]] VisibleSegments fast_visible_segments(const ProjectedScene& scene, const FastOptions& options,
-                                                    SweepObserver* observer = nullptr);
+[[nodiscard]] SIGHTLINE_EXPORT VisibleSegments fast_visible_segments(const ProjectedScene& scene,
+                                                                     const FastOptions& options,
+                                                                     SweepObserver* observer = nullptr);
 
 }  // namespace sightline::inline sweep

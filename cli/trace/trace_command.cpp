@@ -112,8 +112,8 @@ std::string trace_command(const TraceOptions& options) {
   if (options.output) require_page(PageName::trace);
   const Traced traced = options.example ? of_example(*options.example) : of_scene_file(options);
   const std::vector<trace::SweepLog> logs = logs_of(traced, options.precision.value_or(traced.view.precision));
-  const std::string json =
-      json_text(sweep_logs_json({traced.title, traced.what, traced.view.camera.name, traced.view.camera.aspect}, logs), 1);
+  const std::string json = json_text(
+      sweep_logs_json({traced.title, traced.what, traced.view.camera.name, traced.view.camera.aspect}, logs), 1);
   if (options.log) write_file(*options.log, json);
   if (options.output) write_file(*options.output, page_with_data(PageName::trace, packed(json)));
   return summary_of(logs, options);

@@ -38,9 +38,10 @@
 #include <string_view>
 #include <vector>
 
-#include "formats/reading/obj_statements.h"
+#include "formats/reading/read_limits.h"
 #include "geometry/mesh/mesh.h"
 #include "geometry/numbers/errors.h"
+#include "geometry/numbers/export.h"
 
 namespace sightline::inline formats {
 
@@ -50,11 +51,11 @@ struct ObjFile {
   std::vector<std::string> warnings;    // "FILE: what", one line each
 };
 
-[[nodiscard]] ObjFile read_obj(const std::filesystem::path& file, const ReadLimits& limits = {},
-                               Normals normals = Normals::passed_over);
+[[nodiscard]] SIGHTLINE_EXPORT ObjFile read_obj(const std::filesystem::path& file, const ReadLimits& limits = {},
+                                                Normals normals = Normals::passed_over);
 
 // Reads the same from text in memory; file_name is for messages.
-[[nodiscard]] ObjFile read_obj(std::string_view text, const std::string& file_name, const ReadLimits& limits = {},
-                               Normals normals = Normals::passed_over);
+[[nodiscard]] SIGHTLINE_EXPORT ObjFile read_obj(std::string_view text, const std::string& file_name,
+                                                const ReadLimits& limits = {}, Normals normals = Normals::passed_over);
 
 }  // namespace sightline::inline formats

@@ -3,12 +3,11 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
-#include <limits>
 #include <string>
 #include <vector>
 
 #include "formats/reading/obj_scanner.h"
+#include "formats/reading/read_limits.h"
 #include "geometry/mesh/mesh.h"
 
 namespace sightline::inline formats {
@@ -22,21 +21,6 @@ struct ObjStatements {
   std::size_t unknown_line = 0;                       // the line of the first of them
   std::string unknown_keyword;                        // and its keyword, quoted
 };
-
-// A file that needs more is refused at the statement where that shows.
-struct ReadLimits {
-  std::uint64_t memory = std::numeric_limits<std::uint64_t>::max();  // in bytes; see memory_for_mesh
-};
-
-enum class Normals : std::uint8_t { passed_over, read };
-
-// No face has more corners: one that is not convex is triangulated in O(k^2), and a star of so many corners takes a
-// quarter of a minute.
-constexpr std::size_t most_corners = 10000;
-
-// Returns what it takes to hold the statements, to build a mesh of them, to look for facets that meet, and to project
-// it: a measured upper bound (obj_statements.cpp says how) where no more facets meet than there are.
-[[nodiscard]] std::uint64_t memory_for_mesh(std::uint64_t vertices, std::uint64_t corners, std::uint64_t faces);
 
 // Takes the text from the scanner, which is at its beginning. Throws InputError.
 [[nodiscard]] ObjStatements parse_obj_statements(ObjScanner& scanner, const std::string& file_name,

@@ -10,14 +10,16 @@
 #include <string>
 
 #include "coverage/coverage.h"
+#include "geometry/numbers/export.h"
 
 namespace sightline::inline formats {
 
 // `cameras` and `panels` are their names, as many as the coverage has.
-[[nodiscard]] std::string coverage_table(const Coverage& coverage, const std::vector<std::string>& cameras,
-                                         const std::vector<std::string>& panels);
+[[nodiscard]] SIGHTLINE_EXPORT std::string coverage_table(const Coverage& coverage,
+                                                          const std::vector<std::string>& cameras,
+                                                          const std::vector<std::string>& panels);
 
 // Returns the share of an area within another one, in [0, 1].
-[[nodiscard]] double share_of(double part, double whole);
+[[nodiscard]] SIGHTLINE_EXPORT double share_of(double part, double whole);
 
 }  // namespace sightline::inline formats

@@ -1,7 +1,5 @@
 #include "formats/writing/labelled_ply.h"
 
-#include <fmt/format.h>
-
 #include <array>
 #include <bit>
 #include <cstring>
@@ -12,20 +10,18 @@ namespace sightline::inline formats {
 namespace {
 
 // The comments name the values of the property label.
-std::string header(const LabelledMesh& labelled, const std::vector<std::string>& panels) {
-  std::string labels;
+void write_header(const LabelledMesh& labelled, const std::vector<std::string>& panels, TextBuffer& out) {
+  out << "ply\nformat binary_little_endian 1.0\ncomment sightline: face = index of the input face\n";
   for (const Label label : {Label::back_facing, Label::out_of_view, Label::hidden, Label::visible}) {
-    labels += fmt::format("comment label {} = {}\n", static_cast<int>(label), to_string(label));
+    out << "comment label " << static_cast<std::uint32_t>(label) << " = " << to_string(label) << '\n';
   }
-  std::string reflecting;
-  for (const std::string& panel : panels) reflecting += "property uchar reflecting_" + panel + "\n";
-  return fmt::format(
-      "ply\nformat binary_little_endian 1.0\ncomment sightline: face = index of the input face\n{}"
-      "comment seen 1 = the camera sees it, from the front or from behind\nelement vertex {}\n"
-      "property double x\nproperty double y\nproperty double z\nelement face {}\n"
-      "property list uchar int vertex_indices\nproperty int face\nproperty uchar label\nproperty uchar "
-      "seen\n{}end_header\n",
-      labels, labelled.vertices.size(), labelled.triangles.size(), reflecting);
+  out << "comment seen 1 = the camera sees it, from the front or from behind\n"
+      << "element vertex " << std::uint64_t{labelled.vertices.size()}
+      << "\nproperty double x\nproperty double y\nproperty double z\n"
+      << "element face " << std::uint64_t{labelled.triangles.size()}
+      << "\nproperty list uchar int vertex_indices\nproperty int face\nproperty uchar label\nproperty uchar seen\n";
+  for (const std::string& panel : panels) out << "property uchar reflecting_" << panel << '\n';
+  out << "end_header\n";
 }
 
 // Numbers are little endian, whatever the machine is.
@@ -57,7 +53,7 @@ char* put(char* at, const LabelledTriangle& triangle, std::size_t panels) {
 }  // namespace
 
 void write_labelled_ply(const LabelledMesh& labelled, const std::vector<std::string>& panels, TextBuffer& out) {
-  out << header(labelled, panels);
+  write_header(labelled, panels, out);
   std::array<char, 128> bytes;  // of a vertex, or of a triangle
   static_assert(bytes.size() >= 1 + 3 * 4 + 4 + 1 + 1 + most_panels);
   const auto append = [&](const char* end) { out << std::string_view(bytes.data(), end); };

@@ -9,10 +9,12 @@
 #include <vector>
 
 #include "formats/writing/text_buffer.h"
+#include "geometry/numbers/export.h"
 #include "reconstruct/labelling/labelled_mesh.h"
 
 namespace sightline::inline formats {
 
-void write_labelled_ply(const LabelledMesh& labelled, const std::vector<std::string>& panels, TextBuffer& out);
+SIGHTLINE_EXPORT void write_labelled_ply(const LabelledMesh& labelled, const std::vector<std::string>& panels,
+                                         TextBuffer& out);
 
 }  // namespace sightline::inline formats

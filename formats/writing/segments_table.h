@@ -10,11 +10,12 @@
 
 #include "formats/writing/text_buffer.h"
 #include "geometry/mesh/cut_mesh.h"
+#include "geometry/numbers/export.h"
 #include "sightline/view.h"
 
 namespace sightline::inline formats {
 
 // `places` are window_points(view).
-void write_segments_table(const View& view, const std::vector<Point2>& places, TextBuffer& out);
+SIGHTLINE_EXPORT void write_segments_table(const View& view, const std::vector<Point2>& places, TextBuffer& out);
 
 }  // namespace sightline::inline formats

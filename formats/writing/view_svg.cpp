@@ -1,7 +1,5 @@
 #include "formats/writing/view_svg.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -24,15 +22,13 @@ double stroke_width(std::size_t polygons) {
   return pixels * 2 / image_height;
 }
 
-std::string header(const Camera& camera, std::size_t polygons) {
+void write_header(const Camera& camera, std::size_t polygons, TextBuffer& out) {
   const double aspect = camera.aspect;
-  return fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}\" height=\"{}\" viewBox=\"{} -1 {} 2\">\n"
-      "<title>{}</title>\n"
-      "<rect x=\"{}\" y=\"-1\" width=\"{}\" height=\"2\" fill=\"#faf8f4\"/>\n"
-      "<g transform=\"scale({} -1)\" fill-rule=\"evenodd\" stroke-width=\"{}\" stroke-linejoin=\"round\">\n",
-      aspect * image_height, image_height, -aspect, 2 * aspect, html_text(camera.name), -aspect, 2 * aspect, aspect,
-      stroke_width(polygons));
+  out << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << aspect * image_height << "\" height=\"" << image_height
+      << "\" viewBox=\"" << -aspect << " -1 " << 2 * aspect << " 2\">\n<title>" << html_text(camera.name)
+      << "</title>\n<rect x=\"" << -aspect << "\" y=\"-1\" width=\"" << 2 * aspect
+      << "\" height=\"2\" fill=\"#faf8f4\"/>\n<g transform=\"scale(" << aspect
+      << " -1)\" fill-rule=\"evenodd\" stroke-width=\"" << stroke_width(polygons) << "\" stroke-linejoin=\"round\">\n";
 }
 
 void write_colour(const Colour& colour, TextBuffer& out) {
@@ -144,7 +140,7 @@ void write_panel(const View& view, const std::string& name, std::size_t number, 
 void write_view_svg(const View& view, const std::vector<Point2>& places, const std::vector<std::string>& panels,
                     TextBuffer& out) {
   const PlaceTexts texts(places);
-  out << header(view.scene.camera, view.polygons.polygons.size());
+  write_header(view.scene.camera, view.polygons.polygons.size(), out);
   for_each_polygon(view.polygons, [&](const VisiblePolygon& polygon, std::size_t occurrence) {
     write_polygon(view, polygon, occurrence, texts, out);
   });

@@ -12,12 +12,13 @@
 
 #include "formats/writing/text_buffer.h"
 #include "geometry/mesh/cut_mesh.h"
+#include "geometry/numbers/export.h"
 #include "sightline/view.h"
 
 namespace sightline::inline formats {
 
 // `places` are window_points(view). `panels` are the names of all panels; without any there are no layers for them.
-void write_view_svg(const View& view, const std::vector<Point2>& places, const std::vector<std::string>& panels,
-                    TextBuffer& out);
+SIGHTLINE_EXPORT void write_view_svg(const View& view, const std::vector<Point2>& places,
+                                     const std::vector<std::string>& panels, TextBuffer& out);
 
 }  // namespace sightline::inline formats

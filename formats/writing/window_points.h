@@ -8,14 +8,15 @@
 #include <vector>
 
 #include "formats/writing/text_buffer.h"
+#include "geometry/numbers/export.h"
 #include "sightline/view.h"
 
 namespace sightline::inline formats {
 
-[[nodiscard]] std::vector<Point2> window_points(const View& view);
+[[nodiscard]] SIGHTLINE_EXPORT std::vector<Point2> window_points(const View& view);
 
 // Returns the place of a point that the camera sees, in floating point.
-[[nodiscard]] Point2 window_place(const Camera& camera, const Point3& p);
+[[nodiscard]] SIGHTLINE_EXPORT Point2 window_place(const Camera& camera, const Point3& p);
 
 // These places as text, as TextBuffer writes them, for writers that name each point several times: a number is put into
 // digits once.

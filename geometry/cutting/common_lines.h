@@ -16,12 +16,13 @@
 
 #include "geometry/cutting/interpenetration.h"
 #include "geometry/mesh/cut_mesh.h"
+#include "geometry/numbers/export.h"
 
 namespace sightline::inline geometry {
 
-[[nodiscard]] CutMesh cut_along_common_lines(Mesh mesh, const MeshContacts& contacts);
+[[nodiscard]] SIGHTLINE_EXPORT CutMesh cut_along_common_lines(Mesh mesh, const MeshContacts& contacts);
 
 // Returns the mesh as it was before the cut.
-[[nodiscard]] Mesh without_cuts(const CutMesh& mesh);
+[[nodiscard]] SIGHTLINE_EXPORT Mesh without_cuts(const CutMesh& mesh);
 
 }  // namespace sightline::inline geometry

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "geometry/mesh/mesh.h"
+#include "geometry/numbers/export.h"
 
 namespace sightline::inline geometry {
 
@@ -21,6 +22,6 @@ struct MeshContacts {
   std::vector<std::array<FacetId, 2>> touching;  // pairs that meet without crossing; sorted
 };
 
-[[nodiscard]] MeshContacts find_contacts(const PolygonMesh& mesh);
+[[nodiscard]] SIGHTLINE_EXPORT MeshContacts find_contacts(const PolygonMesh& mesh);
 
 }  // namespace sightline::inline geometry

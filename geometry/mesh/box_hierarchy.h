@@ -13,6 +13,7 @@
 #include <span>
 #include <vector>
 
+#include "geometry/numbers/export.h"
 #include "geometry/numbers/vector3.h"
 
 namespace sightline::inline geometry {
@@ -46,7 +47,7 @@ struct BoxHierarchy {
   std::vector<Node> nodes;
 };
 
-[[nodiscard]] BoxHierarchy build_hierarchy(std::span<const Box> boxes);
+[[nodiscard]] SIGHTLINE_EXPORT BoxHierarchy build_hierarchy(std::span<const Box> boxes);
 
 // Calls visit(item) for the items whose boxes, and those of the nodes above them, are not excluded by may_touch(box).
 template <class MayTouch, class Visit>

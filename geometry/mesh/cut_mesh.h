@@ -8,6 +8,7 @@
 
 #include "geometry/mesh/mesh.h"
 #include "geometry/numbers/exact_position.h"
+#include "geometry/numbers/export.h"
 
 namespace sightline::inline geometry {
 
@@ -32,15 +33,15 @@ struct CutMesh : PolygonMesh {
 
 // The mesh as it is, for a caller who knows that none of its facets pass through each other, or who accepts that where
 // they do the wrong facet is on top in places.
-[[nodiscard]] CutMesh uncrossed(Mesh mesh);
+[[nodiscard]] SIGHTLINE_EXPORT CutMesh uncrossed(Mesh mesh);
 
 // The exact position of a vertex, whether it is the input's or made by cutting.
-[[nodiscard]] ExactPosition exact_position(const CutMesh& mesh, VertexId v);
+[[nodiscard]] SIGHTLINE_EXPORT ExactPosition exact_position(const CutMesh& mesh, VertexId v);
 
 // Whether three vertices lie on one line, exactly.
-[[nodiscard]] bool collinear(const CutMesh& mesh, VertexId a, VertexId b, VertexId c);
+[[nodiscard]] SIGHTLINE_EXPORT bool collinear(const CutMesh& mesh, VertexId a, VertexId b, VertexId c);
 
 // What of the above does not hold, one line each, with the ids; empty for a valid mesh.
-[[nodiscard]] std::vector<std::string> validate(const CutMesh& mesh);
+[[nodiscard]] SIGHTLINE_EXPORT std::vector<std::string> validate(const CutMesh& mesh);
 
 }  // namespace sightline::inline geometry

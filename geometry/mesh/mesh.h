@@ -17,6 +17,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/numbers/export.h"
 #include "geometry/numbers/ids.h"
 #include "geometry/numbers/vector3.h"
 
@@ -45,8 +46,8 @@ enum class Defect : std::uint8_t {
   repeated_face,    // the same corners (by position) as an earlier face, in either direction: skipped
   repeated_corner,  // consecutive equal corners, or a spike that turns straight back: removed, the rest is kept
 };
-[[nodiscard]] const char* to_string(Defect defect);
-[[nodiscard]] bool is_skipped(Defect defect);
+[[nodiscard]] SIGHTLINE_EXPORT const char* to_string(Defect defect);
+[[nodiscard]] SIGHTLINE_EXPORT bool is_skipped(Defect defect);
 
 struct FaceDefect {
   FaceId face;
@@ -87,9 +88,9 @@ struct Mesh : PolygonMesh {};
 
 // Throws std::invalid_argument if a corner names no vertex or a coordinate is not finite (readers check this first,
 // with file and line).
-[[nodiscard]] Mesh build_mesh(std::vector<Point3> vertices, PolygonList faces);
+[[nodiscard]] SIGHTLINE_EXPORT Mesh build_mesh(std::vector<Point3> vertices, PolygonList faces);
 
 // What of the above does not hold, one line each, with the ids; empty for a valid mesh.
-[[nodiscard]] std::vector<std::string> validate(const Mesh& mesh);
+[[nodiscard]] SIGHTLINE_EXPORT std::vector<std::string> validate(const Mesh& mesh);
 
 }  // namespace sightline::inline geometry

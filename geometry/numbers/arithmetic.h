@@ -14,6 +14,7 @@
 #include <string_view>
 
 #include "geometry/numbers/errors.h"
+#include "geometry/numbers/export.h"
 #include "geometry/numbers/image_point.h"
 
 namespace sightline::inline geometry {
@@ -21,8 +22,8 @@ namespace sightline::inline geometry {
 enum class Arithmetic : std::uint8_t { single_precision, double_precision, exact };
 
 // The names are "float", "double" and "exact".
-[[nodiscard]] const char* to_string(Arithmetic arithmetic);
-[[nodiscard]] std::optional<Arithmetic> arithmetic_named(std::string_view name);
+[[nodiscard]] SIGHTLINE_EXPORT const char* to_string(Arithmetic arithmetic);
+[[nodiscard]] SIGHTLINE_EXPORT std::optional<Arithmetic> arithmetic_named(std::string_view name);
 
 // The grid of the image has 2^grid_bits cells in the half window.
 struct Precision {

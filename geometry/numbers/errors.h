@@ -20,14 +20,16 @@
 #include <stdexcept>
 #include <string>
 
+#include "geometry/numbers/export.h"
+
 namespace sightline::inline geometry {
 
-class Error : public std::runtime_error {
+class SIGHTLINE_EXPORT Error : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
 // The input is wrong. what() reads "FILE:LINE: cause" (or "FILE: cause" where no line applies; line() is then 0).
-class InputError : public Error {
+class SIGHTLINE_EXPORT InputError : public Error {
  public:
   InputError(const std::string& file, std::size_t line, const std::string& cause)
       : Error(file + (line == 0 ? "" : ":" + std::to_string(line)) + ": " + cause), line_(line) {}
@@ -38,7 +40,7 @@ class InputError : public Error {
 };
 
 // A camera defines no view: zero direction, singular matrix, angle out of range, ...
-class CameraError : public Error {
+class SIGHTLINE_EXPORT CameraError : public Error {
   using Error::Error;
 };
 
@@ -48,12 +50,12 @@ class PanelError : public Error {
 };
 
 // An invariant of the program does not hold; what() says which, and where in the sweep.
-class InternalError : public Error {
+class SIGHTLINE_EXPORT InternalError : public Error {
   using Error::Error;
 };
 
 // The arithmetic that was asked for is too weak for this view; what() says which invariant broke, and where.
-class ArithmeticError : public Error {
+class SIGHTLINE_EXPORT ArithmeticError : public Error {
  public:
   ArithmeticError(const std::string& arithmetic, const std::string& broken)
       : Error(arithmetic + " arithmetic is too weak for this view: " + broken + "; use exact"), broken_(broken) {}

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "geometry/numbers/exact_integer.h"
+#include "geometry/numbers/export.h"
 #include "geometry/numbers/vector3.h"
 
 namespace sightline::inline geometry {
@@ -17,19 +18,19 @@ struct ExactPosition {
   friend bool operator==(const ExactPosition&, const ExactPosition&) = default;
 
   // Returns the position with each coordinate rounded once.
-  [[nodiscard]] Point3 rounded() const;
+  [[nodiscard]] SIGHTLINE_EXPORT Point3 rounded() const;
 };
 
-[[nodiscard]] ExactPosition exact_position(const Point3& p);
+[[nodiscard]] SIGHTLINE_EXPORT ExactPosition exact_position(const Point3& p);
 
 // Compares x first, then y, then z: along a line that is one direction.
-[[nodiscard]] Sign lexicographic_order(const ExactPosition& a, const ExactPosition& b);
+[[nodiscard]] SIGHTLINE_EXPORT Sign lexicographic_order(const ExactPosition& a, const ExactPosition& b);
 
-[[nodiscard]] bool collinear(const ExactPosition& a, const ExactPosition& b, const ExactPosition& c);
+[[nodiscard]] SIGHTLINE_EXPORT bool collinear(const ExactPosition& a, const ExactPosition& b, const ExactPosition& c);
 
 // Returns orient2d of the positions without one coordinate (drop_axis in predicates.h).
-[[nodiscard]] Sign orientation_without(int axis, const ExactPosition& a, const ExactPosition& b,
-                                       const ExactPosition& c);
+[[nodiscard]] SIGHTLINE_EXPORT Sign orientation_without(int axis, const ExactPosition& a, const ExactPosition& b,
+                                                        const ExactPosition& c);
 
 struct ExactPlane {
   BigInteger a, b, c, d;
@@ -43,10 +44,13 @@ struct ExactPlane {
 
 // The first is the plane of three points that are not on one line, the second that of two points and a direction that
 // is not theirs; what is in front has orient3d(p, q, r, .) > 0, for the direction as for a point far away.
-[[nodiscard]] ExactPlane plane_through(const ExactPosition& p, const ExactPosition& q, const ExactPosition& r);
-[[nodiscard]] ExactPlane plane_towards(const ExactPosition& p, const ExactPosition& q, const Vector3& direction);
+[[nodiscard]] SIGHTLINE_EXPORT ExactPlane plane_through(const ExactPosition& p, const ExactPosition& q,
+                                                        const ExactPosition& r);
+[[nodiscard]] SIGHTLINE_EXPORT ExactPlane plane_towards(const ExactPosition& p, const ExactPosition& q,
+                                                        const Vector3& direction);
 
 // Returns where the line from p to q meets the plane. Precondition: they lie strictly on different sides of it.
-[[nodiscard]] ExactPosition intersection(const ExactPlane& plane, const ExactPosition& p, const ExactPosition& q);
+[[nodiscard]] SIGHTLINE_EXPORT ExactPosition intersection(const ExactPlane& plane, const ExactPosition& p,
+                                                          const ExactPosition& q);
 
 }  // namespace sightline::inline geometry

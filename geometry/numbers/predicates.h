@@ -19,6 +19,7 @@
 #include <optional>
 
 #include "geometry/numbers/exact_integer.h"
+#include "geometry/numbers/export.h"
 #include "geometry/numbers/vector3.h"
 
 namespace sightline::inline geometry {
@@ -44,26 +45,28 @@ struct Counts {
 };
 
 namespace filter {
-[[nodiscard]] std::optional<Sign> orient3d(const Point3& a, const Point3& b, const Point3& c,
-                                           const HomogeneousPoint& d);
-[[nodiscard]] std::optional<Sign> orient2d(const Point2& a, const Point2& b, const Point2& c);
-[[nodiscard]] std::optional<Sign> in_circle(const Point2& a, const Point2& b, const Point2& c, const Point2& d);
+[[nodiscard]] SIGHTLINE_EXPORT std::optional<Sign> orient3d(const Point3& a, const Point3& b, const Point3& c,
+                                                            const HomogeneousPoint& d);
+[[nodiscard]] SIGHTLINE_EXPORT std::optional<Sign> orient2d(const Point2& a, const Point2& b, const Point2& c);
+[[nodiscard]] SIGHTLINE_EXPORT std::optional<Sign> in_circle(const Point2& a, const Point2& b, const Point2& c,
+                                                             const Point2& d);
 }  // namespace filter
 
 namespace exact {
-[[nodiscard]] Sign orient3d(const Point3& a, const Point3& b, const Point3& c, const HomogeneousPoint& d);
-[[nodiscard]] Sign orient2d(const Point2& a, const Point2& b, const Point2& c);
-[[nodiscard]] Sign in_circle(const Point2& a, const Point2& b, const Point2& c, const Point2& d);
+[[nodiscard]] SIGHTLINE_EXPORT Sign orient3d(const Point3& a, const Point3& b, const Point3& c,
+                                             const HomogeneousPoint& d);
+[[nodiscard]] SIGHTLINE_EXPORT Sign orient2d(const Point2& a, const Point2& b, const Point2& c);
+[[nodiscard]] SIGHTLINE_EXPORT Sign in_circle(const Point2& a, const Point2& b, const Point2& c, const Point2& d);
 }  // namespace exact
 
 }  // namespace predicates
 
-[[nodiscard]] Sign orient3d(const Point3& a, const Point3& b, const Point3& c, const HomogeneousPoint& d,
-                            predicates::Counts* counts = nullptr);
-[[nodiscard]] Sign orient3d(const Point3& a, const Point3& b, const Point3& c, const Point3& d,
-                            predicates::Counts* counts = nullptr);
-[[nodiscard]] Sign orient2d(const Point2& a, const Point2& b, const Point2& c);
-[[nodiscard]] Sign in_circle(const Point2& a, const Point2& b, const Point2& c, const Point2& d);
+[[nodiscard]] SIGHTLINE_EXPORT Sign orient3d(const Point3& a, const Point3& b, const Point3& c,
+                                             const HomogeneousPoint& d, predicates::Counts* counts = nullptr);
+[[nodiscard]] SIGHTLINE_EXPORT Sign orient3d(const Point3& a, const Point3& b, const Point3& c, const Point3& d,
+                                             predicates::Counts* counts = nullptr);
+[[nodiscard]] SIGHTLINE_EXPORT Sign orient2d(const Point2& a, const Point2& b, const Point2& c);
+[[nodiscard]] SIGHTLINE_EXPORT Sign in_circle(const Point2& a, const Point2& b, const Point2& c, const Point2& d);
 
 // Returns the point without one coordinate (0: x, 1: y, 2: z), the remaining two in cyclic order, so that a triangle
 // whose normal has a positive component along `axis` stays counter-clockwise.
@@ -74,6 +77,6 @@ namespace exact {
 }
 
 // Returns whether three points lie on one line, exactly.
-[[nodiscard]] bool collinear(const Point3& a, const Point3& b, const Point3& c);
+[[nodiscard]] SIGHTLINE_EXPORT bool collinear(const Point3& a, const Point3& b, const Point3& c);
 
 }  // namespace sightline::inline geometry

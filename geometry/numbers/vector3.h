@@ -13,6 +13,8 @@
 #include <cmath>
 #include <span>
 
+#include "geometry/numbers/export.h"
+
 namespace sightline::inline geometry {
 
 using Vector3 = Eigen::Vector3d;
@@ -22,17 +24,17 @@ using Point3 = Vector3;
 inline double norm(const Vector3& v) { return std::hypot(v.x(), v.y(), v.z()); }
 
 // Returns the largest of |x|, |y|, |z|.
-[[nodiscard]] double largest_coordinate(const Vector3& v);
+[[nodiscard]] SIGHTLINE_EXPORT double largest_coordinate(const Vector3& v);
 
 // Returns the same direction with its largest coordinate in [1, 2), by a power of two, so that squares and products of
 // coordinates neither overflow nor vanish. Zero stays zero.
-[[nodiscard]] Vector3 with_moderate_exponent(const Vector3& v);
+[[nodiscard]] SIGHTLINE_EXPORT Vector3 with_moderate_exponent(const Vector3& v);
 
 // Returns the vector of length 1 in the same direction, whatever the length; zero for zero. No coordinate is -0.0.
-[[nodiscard]] Vector3 unit(const Vector3& v);
+[[nodiscard]] SIGHTLINE_EXPORT Vector3 unit(const Vector3& v);
 
 // Returns the power of two that brings the positions' largest coordinate into [1, 2): what is computed of scaled
 // positions neither overflows nor underflows. It is 1 where all are zero.
-[[nodiscard]] double unit_scale(std::span<const Point3> positions);
+[[nodiscard]] SIGHTLINE_EXPORT double unit_scale(std::span<const Point3> positions);
 
 }  // namespace sightline::inline geometry

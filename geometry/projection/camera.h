@@ -18,6 +18,7 @@
 #include <optional>
 #include <string>
 
+#include "geometry/numbers/export.h"
 #include "geometry/numbers/predicates.h"
 #include "geometry/numbers/vector3.h"
 
@@ -33,8 +34,8 @@ struct Camera {
   Vector3 forward = Vector3::Zero();
   Point3 origin = Point3::Zero();  // the eye of a pinhole; a point that is seen at the window's centre otherwise
   HomogeneousPoint eye;            // origin, or for an orthographic camera the direction towards the viewer with w = 0
-  std::optional<double> near_distance;
-  std::optional<double> far_distance;
+  std::optional<double> near_distance = std::nullopt;
+  std::optional<double> far_distance = std::nullopt;
   double aspect = 1;  // the window's width over its height, for display only
 };
 
@@ -43,15 +44,15 @@ struct ViewPoint {
   Point3 target = Point3::Zero();
   Vector3 up{0, 1, 0};
   double aspect = 1;
-  std::optional<double> near_distance;
-  std::optional<double> far_distance;
+  std::optional<double> near_distance = std::nullopt;
+  std::optional<double> far_distance = std::nullopt;
 };
 
 // fov_y is the full vertical angle in degrees, in (0, 180).
-[[nodiscard]] Camera perspective_camera(std::string name, const ViewPoint& view, double fov_y_degrees);
+[[nodiscard]] SIGHTLINE_EXPORT Camera perspective_camera(std::string name, const ViewPoint& view, double fov_y_degrees);
 
 // height is the window's height in input units.
-[[nodiscard]] Camera orthographic_camera(std::string name, const ViewPoint& view, double height);
+[[nodiscard]] SIGHTLINE_EXPORT Camera orthographic_camera(std::string name, const ViewPoint& view, double height);
 
 // Unaligned, as Matrix3 is: what holds one needs no storage of its own kind.
 using Matrix3 = Eigen::Matrix3d;
@@ -65,14 +66,15 @@ struct PixelImage {
   double width = 0;
   double height = 0;
   PixelOrigin origin = PixelOrigin::corner;
-  std::optional<double> near_distance;
-  std::optional<double> far_distance;
+  std::optional<double> near_distance = std::nullopt;
+  std::optional<double> far_distance = std::nullopt;
 };
 
 // Pixels have x to the right and y down; the camera looks along z. P maps (v, 1) to homogeneous pixels. P and -P are
 // the same camera; the one with det(P[:, :3]) > 0 is meant (K with a positive diagonal and R a rotation).
-[[nodiscard]] Camera projection_matrix_camera(std::string name, const Matrix34& p, const PixelImage& image);
-[[nodiscard]] Camera calibrated_camera(std::string name, const Matrix3& k, const Matrix3& r, const Vector3& t,
-                                       const PixelImage& image);
+[[nodiscard]] SIGHTLINE_EXPORT Camera projection_matrix_camera(std::string name, const Matrix34& p,
+                                                               const PixelImage& image);
+[[nodiscard]] SIGHTLINE_EXPORT Camera calibrated_camera(std::string name, const Matrix3& k, const Matrix3& r,
+                                                        const Vector3& t, const PixelImage& image);
 
 }  // namespace sightline::inline geometry

@@ -13,6 +13,7 @@
 
 #include "geometry/cutting/interpenetration.h"
 #include "geometry/mesh/cut_mesh.h"
+#include "geometry/numbers/export.h"
 #include "geometry/projection/projected_scene.h"
 
 namespace sightline::inline geometry {
@@ -30,7 +31,7 @@ struct SidesDecision {
 };
 
 // `contacts` says how the mesh met itself before it was cut along common lines, if it was (interpenetration.h).
-[[nodiscard]] SidesDecision decide_sides(const CutMesh& mesh, const MeshContacts& contacts, const Camera& camera,
-                                         SidesPolicy policy);
+[[nodiscard]] SIGHTLINE_EXPORT SidesDecision decide_sides(const CutMesh& mesh, const MeshContacts& contacts,
+                                                          const Camera& camera, SidesPolicy policy);
 
 }  // namespace sightline::inline geometry

@@ -26,6 +26,7 @@
 
 #include "geometry/mesh/cut_mesh.h"
 #include "geometry/numbers/arithmetic.h"
+#include "geometry/numbers/export.h"
 #include "geometry/numbers/ids.h"
 #include "geometry/numbers/image_point.h"
 #include "geometry/projection/camera.h"
@@ -130,13 +131,14 @@ struct ProjectedScene {
   return corner.vertex.valid() ? scene.vertex_weights[corner.vertex.index()] : scene.made(corner).weight;
 }
 
-[[nodiscard]] ProjectedScene project(std::shared_ptr<const CutMesh> mesh, const Camera& camera, Sides sides,
-                                     const Precision& precision = {});
+[[nodiscard]] SIGHTLINE_EXPORT ProjectedScene project(std::shared_ptr<const CutMesh> mesh, const Camera& camera,
+                                                      Sides sides, const Precision& precision = {});
 
 // The same for a mesh that the scene takes for itself; it is copied unless it is moved.
-[[nodiscard]] ProjectedScene project(CutMesh mesh, const Camera& camera, Sides sides, const Precision& precision = {});
+[[nodiscard]] SIGHTLINE_EXPORT ProjectedScene project(CutMesh mesh, const Camera& camera, Sides sides,
+                                                      const Precision& precision = {});
 
 // Returns what of the above does not hold, one line each, with the ids; nothing for a valid scene.
-[[nodiscard]] std::vector<std::string> validate(const ProjectedScene& scene);
+[[nodiscard]] SIGHTLINE_EXPORT std::vector<std::string> validate(const ProjectedScene& scene);
 
 }  // namespace sightline::inline geometry

@@ -22,6 +22,7 @@
 #include <vector>
 
 #include "geometry/mesh/cut_mesh.h"
+#include "geometry/numbers/export.h"
 #include "geometry/projection/projected_scene.h"
 #include "reconstruct/polygons/visible_polygons.h"
 #include "sweep/segments/visible_segments.h"
@@ -35,7 +36,7 @@ enum class Label : std::uint8_t {
   hidden = 2,       // in the view volume, facing the camera, behind something else (or below resolution)
   visible = 3,
 };
-[[nodiscard]] const char* to_string(Label label);
+[[nodiscard]] SIGHTLINE_EXPORT const char* to_string(Label label);
 
 struct LabelledTriangle {
   std::array<VertexId, 3> corners;  // into LabelledMesh::vertices
@@ -57,10 +58,12 @@ struct LabelledMesh {
   std::vector<LabelledTriangle> triangles;  // by face, then by surface
 };
 
-[[nodiscard]] LabelledMesh label_mesh(const ProjectedScene& scene, const VisibleSegments& segments,
-                                      const VisiblePolygons& polygons, const PanelBorders& panels = {});
+[[nodiscard]] SIGHTLINE_EXPORT LabelledMesh label_mesh(const ProjectedScene& scene, const VisibleSegments& segments,
+                                                       const VisiblePolygons& polygons,
+                                                       const PanelBorders& panels = {});
 
 // Returns what of the above does not hold, one line each, with the ids; nothing for a valid value.
-[[nodiscard]] std::vector<std::string> validate(const LabelledMesh& labelled, const ProjectedScene& scene);
+[[nodiscard]] SIGHTLINE_EXPORT std::vector<std::string> validate(const LabelledMesh& labelled,
+                                                                 const ProjectedScene& scene);
 
 }  // namespace sightline::inline reconstruct

@@ -22,6 +22,7 @@
 #include <vector>
 
 #include "geometry/mesh/cut_mesh.h"
+#include "geometry/numbers/export.h"
 #include "geometry/projection/projected_scene.h"
 #include "sweep/segments/visible_segments.h"
 
@@ -49,14 +50,16 @@ struct VisiblePolygons {
   }
 };
 
-[[nodiscard]] VisiblePolygons reconstruct_polygons(const ProjectedScene& scene, const VisibleSegments& segments);
+[[nodiscard]] SIGHTLINE_EXPORT VisiblePolygons reconstruct_polygons(const ProjectedScene& scene,
+                                                                    const VisibleSegments& segments);
 
 // Returns the exact area of a polygon (outer ring minus holes), in grid units squared.
-[[nodiscard]] Rational exact_area(const ProjectedScene& scene, const VisibleSegments& segments,
-                                  const VisiblePolygons& polygons, std::size_t polygon);
+[[nodiscard]] SIGHTLINE_EXPORT Rational exact_area(const ProjectedScene& scene, const VisibleSegments& segments,
+                                                   const VisiblePolygons& polygons, std::size_t polygon);
 
 // Returns what of the above does not hold, one line each, with the ids; nothing for a valid value.
-[[nodiscard]] std::vector<std::string> validate(const VisiblePolygons& polygons, const ProjectedScene& scene,
-                                                const VisibleSegments& segments);
+[[nodiscard]] SIGHTLINE_EXPORT std::vector<std::string> validate(const VisiblePolygons& polygons,
+                                                                 const ProjectedScene& scene,
+                                                                 const VisibleSegments& segments);
 
 }  // namespace sightline::inline reconstruct

@@ -5,6 +5,7 @@
 #include "geometry/mesh/facet_plane.h"
 #include "geometry/numbers/vector3.h"
 #include "reflect/world/mirror_world.h"
+#include "reflect/world/wholes.h"
 
 namespace sightline::inline reflect {
 namespace {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reflect/world/wholes.h"
+
 namespace sightline::inline reflect {
 namespace {
 

@@ -17,6 +17,7 @@
 
 #include <map>
 
+#include "geometry/cutting/facet_cutter.h"
 #include "reflect/exact/pyramid.h"
 #include "reflect/regions/polygon_outline.h"
 #include "reflect/smooth/mirror_cell.h"

@@ -6,6 +6,7 @@
 
 #include "reflect/smooth/shading_normals.h"
 #include "reflect/triangles/vertex_pyramid.h"
+#include "reflect/world/wholes.h"
 
 namespace sightline::inline reflect {
 namespace {

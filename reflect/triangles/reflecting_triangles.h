@@ -14,11 +14,13 @@
 //      camera.
 #pragma once
 
+#include "geometry/numbers/export.h"
 #include "reflect/reflections.h"
 
 namespace sightline::inline reflect {
 
 // Marks the triangles. The reflections have no polygons.
-[[nodiscard]] Reflections reflecting_triangles(const MirrorWorld& world, const Camera& camera, LabelledMesh& labelled);
+[[nodiscard]] SIGHTLINE_EXPORT Reflections reflecting_triangles(const MirrorWorld& world, const Camera& camera,
+                                                                LabelledMesh& labelled);
 
 }  // namespace sightline::inline reflect

@@ -1,7 +1,7 @@
 #include "reflect/world/mirror_world.h"
 
-#include "geometry/mesh/facet_plane.h"
 #include "geometry/mesh/vertex_normals.h"
+#include "reflect/world/wholes.h"
 
 namespace sightline::inline reflect {
 
@@ -18,16 +18,6 @@ const char* to_string(ReflectionMode mode) {
 }
 
 const char* to_string(MirrorNormals normals) { return normals == MirrorNormals::face ? "face" : "vertex"; }
-
-std::span<const VertexId> whole_corners(const CutMesh& mesh, WholeId whole) {
-  return mesh.is_cut() ? mesh.cuts.wholes[whole.index()] : mesh.corners(FacetId(whole.index()));
-}
-
-Box box_of(const CutMesh& mesh, std::span<const VertexId> corners) {
-  Box box{mesh.position(corners.front()), mesh.position(corners.front())};
-  for (const VertexId v : corners) box = hull(box, {mesh.position(v), mesh.position(v)});
-  return box;
-}
 
 Obstacles::Obstacles(const CutMesh& mesh) {
   std::vector<Box> boxes;
@@ -54,21 +44,6 @@ MirrorWorld make_mirror_world(std::shared_ptr<const CutMesh> surface, std::vecto
     world.panel_boxes.push_back(box_of(mesh, mesh.faces[0]));
   }
   return world;
-}
-
-CutPolygon whole_polygon(const CutMesh& mesh, WholeId whole) {
-  CutPolygon polygon;
-  for (const VertexId v : whole_corners(mesh, whole)) polygon.push_back({exact_position(mesh.position(v)), v, {}});
-  return polygon;
-}
-
-std::array<Point3, 3> plane_points(const CutMesh& mesh, FacetId facet) {
-  const auto [a, b, c] = plane_corners(mesh, facet);
-  return {mesh.position(a), mesh.position(b), mesh.position(c)};
-}
-
-ExactPlane plane_through(const std::array<Point3, 3>& points) {
-  return plane_through(exact_position(points[0]), exact_position(points[1]), exact_position(points[2]));
 }
 
 }  // namespace sightline::inline reflect

@@ -6,9 +6,10 @@
 #include <span>
 #include <vector>
 
-#include "geometry/cutting/facet_cutter.h"
 #include "geometry/mesh/box_hierarchy.h"
 #include "geometry/mesh/cut_mesh.h"
+#include "geometry/numbers/exact_position.h"
+#include "geometry/numbers/export.h"
 #include "reflect/world/panel.h"
 #include "reflect/world/reflection_options.h"
 
@@ -43,20 +44,10 @@ struct MirrorWorld {
 };
 
 // `given_normals` are as for vertex_normals. Errors: PanelError.
-[[nodiscard]] MirrorWorld make_mirror_world(std::shared_ptr<const CutMesh> surface, std::vector<Panel> panels,
-                                            const ReflectionOptions& options = {},
-                                            const std::vector<Vector3>& given_normals = {});
-
-// Returns the corners of a whole: of a facet, where the mesh was not cut.
-[[nodiscard]] std::span<const VertexId> whole_corners(const CutMesh& mesh, WholeId whole);
-
-[[nodiscard]] Box box_of(const CutMesh& mesh, std::span<const VertexId> corners);
-
-[[nodiscard]] CutPolygon whole_polygon(const CutMesh& mesh, WholeId whole);
-
-// Returns three corners that are not on one line.
-[[nodiscard]] std::array<Point3, 3> plane_points(const CutMesh& mesh, FacetId facet);
-[[nodiscard]] ExactPlane plane_through(const std::array<Point3, 3>& points);
+[[nodiscard]] SIGHTLINE_EXPORT MirrorWorld make_mirror_world(std::shared_ptr<const CutMesh> surface,
+                                                             std::vector<Panel> panels,
+                                                             const ReflectionOptions& options = {},
+                                                             const std::vector<Vector3>& given_normals = {});
 
 struct ReflectionStatistics {
   std::uint64_t pyramids = 0;   // pairs of a panel and what may reflect it: a visible polygon, a triangle, a cell

@@ -10,6 +10,7 @@
 
 #include "geometry/mesh/cut_mesh.h"
 #include "geometry/numbers/errors.h"
+#include "geometry/numbers/export.h"
 
 namespace sightline::inline reflect {
 
@@ -24,6 +25,6 @@ struct Panel {
 // Returns the panel as the only face of a mesh. Throws PanelError for a panel that is no planar polygon: fewer than
 // three corners, no area, a corner that bounds nothing, corners beside its plane, a border that crosses itself.
 // Precondition: coordinates are finite.
-[[nodiscard]] Mesh panel_mesh(const Panel& panel);
+[[nodiscard]] SIGHTLINE_EXPORT Mesh panel_mesh(const Panel& panel);
 
 }  // namespace sightline::inline reflect

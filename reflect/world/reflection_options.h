@@ -8,14 +8,16 @@
 
 #include <cstdint>
 
+#include "geometry/numbers/export.h"
+
 namespace sightline::inline reflect {
 
 enum class ReflectionMode : std::uint8_t { exact, triangles, smooth };
-[[nodiscard]] const char* to_string(ReflectionMode mode);
+[[nodiscard]] SIGHTLINE_EXPORT const char* to_string(ReflectionMode mode);
 
 // A ray is mirrored, at a corner of a triangle, at one of these normals.
 enum class MirrorNormals : std::uint8_t { face, vertex };
-[[nodiscard]] const char* to_string(MirrorNormals normals);
+[[nodiscard]] SIGHTLINE_EXPORT const char* to_string(MirrorNormals normals);
 
 struct ReflectionOptions {
   ReflectionMode mode = ReflectionMode::exact;

@@ -10,6 +10,7 @@
 #include <limits>
 #include <vector>
 
+#include "geometry/numbers/export.h"
 #include "geometry/projection/projected_scene.h"
 
 namespace sightline::inline sweep {
@@ -19,6 +20,6 @@ struct DepthRange {
   double farthest = -std::numeric_limits<double>::infinity();
 };
 
-[[nodiscard]] std::vector<DepthRange> depth_ranges(const ProjectedScene& scene);
+[[nodiscard]] SIGHTLINE_EXPORT std::vector<DepthRange> depth_ranges(const ProjectedScene& scene);
 
 }  // namespace sightline::inline sweep

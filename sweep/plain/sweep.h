@@ -16,6 +16,7 @@
 #pragma once
 
 #include "geometry/mesh/cut_mesh.h"
+#include "geometry/numbers/export.h"
 #include "geometry/projection/projected_scene.h"
 #include "sweep/plain/depth_ranges.h"
 #include "sweep/segments/visible_segments.h"
@@ -26,7 +27,7 @@ class SweepState;
 
 // An observer is called at every sweep point, after it has been worked off. Teaching, tracing, progress and statistics
 // hang on it.
-class SweepObserver {
+class SIGHTLINE_EXPORT SweepObserver {
  public:
   virtual ~SweepObserver() = default;
 
@@ -44,10 +45,11 @@ class SweepObserver {
   virtual void look(const SweepState& /*state*/) {}
 };
 
-[[nodiscard]] VisibleSegments plain_sweep(const ProjectedScene& scene, SweepObserver* observer = nullptr);
+[[nodiscard]] SIGHTLINE_EXPORT VisibleSegments plain_sweep(const ProjectedScene& scene,
+                                                           SweepObserver* observer = nullptr);
 
 // depths: as depth_ranges(scene) gives them for the facets in view, where they are known already.
-[[nodiscard]] VisibleSegments plain_sweep(const ProjectedScene& scene, std::span<const DepthRange> depths,
-                                          SweepObserver* observer);
+[[nodiscard]] SIGHTLINE_EXPORT VisibleSegments plain_sweep(const ProjectedScene& scene,
+                                                           std::span<const DepthRange> depths, SweepObserver* observer);
 
 }  // namespace sightline::inline sweep

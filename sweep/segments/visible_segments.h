@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/numbers/export.h"
 #include "geometry/numbers/ids.h"
 #include "geometry/projection/projected_scene.h"
 
@@ -92,10 +93,12 @@ struct ExactPoint {
   Wide512 denominator;
 };
 // ImagePoints (image_points.h) is for many points, or for predicates on them.
-[[nodiscard]] ExactPoint exact_point(const ProjectedScene& scene, const VisibleSegments& segments, PointId p);
+[[nodiscard]] SIGHTLINE_EXPORT ExactPoint exact_point(const ProjectedScene& scene, const VisibleSegments& segments,
+                                                      PointId p);
 
 // Returns what of the above does not hold, one line each, with the ids; nothing for a valid value.
-[[nodiscard]] std::vector<std::string> validate(const VisibleSegments& segments, const ProjectedScene& scene);
+[[nodiscard]] SIGHTLINE_EXPORT std::vector<std::string> validate(const VisibleSegments& segments,
+                                                                 const ProjectedScene& scene);
 
 // The order of points in the sweep, scene points and crossings alike, is an O(1) comparison of ids.
 class SweepOrder {

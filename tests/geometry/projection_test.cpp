@@ -82,7 +82,7 @@ TEST_CASE("no near plane: a face through the eye's plane is clipped at the windo
   for (const ClippedCorner& corner : scene.polygon(FacetId(0))) {
     CHECK(scene.point(corner.point).y >= -edge);
     CHECK(scene.point(corner.point).y < 0);
-    CHECK(position_of(mesh, scene, corner).y() == -1);
+    CHECK(position_of(scene, corner).y() == -1);
   }
 }
 

@@ -1,0 +1,32 @@
+#include "reflect/world/wholes.h"
+
+#include "geometry/mesh/facet_plane.h"
+
+namespace sightline::inline reflect {
+
+std::span<const VertexId> whole_corners(const CutMesh& mesh, WholeId whole) {
+  return mesh.is_cut() ? mesh.cuts.wholes[whole.index()] : mesh.corners(FacetId(whole.index()));
+}
+
+Box box_of(const CutMesh& mesh, std::span<const VertexId> corners) {
+  Box box{mesh.position(corners.front()), mesh.position(corners.front())};
+  for (const VertexId v : corners) box = hull(box, {mesh.position(v), mesh.position(v)});
+  return box;
+}
+
+CutPolygon whole_polygon(const CutMesh& mesh, WholeId whole) {
+  CutPolygon polygon;
+  for (const VertexId v : whole_corners(mesh, whole)) polygon.push_back({exact_position(mesh.position(v)), v, {}});
+  return polygon;
+}
+
+std::array<Point3, 3> plane_points(const CutMesh& mesh, FacetId facet) {
+  const auto [a, b, c] = plane_corners(mesh, facet);
+  return {mesh.position(a), mesh.position(b), mesh.position(c)};
+}
+
+ExactPlane plane_through(const std::array<Point3, 3>& points) {
+  return plane_through(exact_position(points[0]), exact_position(points[1]), exact_position(points[2]));
+}
+
+}  // namespace sightline::inline reflect

@@ -1,0 +1,23 @@
+# Of the shared library nothing is seen from outside but what the installed headers name: no code of its insides.
+#   cmake -D PREFIX=DIR -D NM=COMMAND -P exports.cmake
+file(GLOB library "${PREFIX}/lib*/libsightline.so" "${PREFIX}/lib/*/libsightline.so")
+execute_process(COMMAND "${NM}" -DC --defined-only "${library}" OUTPUT_VARIABLE symbols COMMAND_ERROR_IS_FATAL ANY)
+string(REGEX MATCHALL " T sightline::[A-Za-z0-9_:]+" functions "${symbols}")
+list(LENGTH functions count)
+if(count LESS 50)
+  message(FATAL_ERROR "the library exports ${count} functions only")
+endif()
+
+file(GLOB_RECURSE headers "${PREFIX}/include/*.h")
+set(text "")
+foreach(header IN LISTS headers)
+  file(READ "${header}" content)
+  string(APPEND text "${content}")
+endforeach()
+foreach(function IN LISTS functions)
+  string(REGEX REPLACE "^.*::" "" name "${function}")
+  if(NOT text MATCHES "[ ~]${name}\\(")
+    message(SEND_ERROR "exported, but in no installed header:${function}")
+  endif()
+endforeach()
+message("${count} functions are exported")
