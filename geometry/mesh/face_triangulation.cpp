@@ -81,7 +81,7 @@ Sign FaceView::turn(const Point3& a, const Point3& b, const Point3& c) const {
 std::vector<FaceView> face_views(const PolygonView& polygon) {
   const auto normal = newell_direction(polygon);
   if (!normal) return {};
-  std::vector<FaceView> views{{*normal, {}, {}}};
+  std::vector<FaceView> views{{*normal, Vector3::Zero(), Vector3::Zero()}};
   if (is_planar(polygon)) return views;
   for (const Vector3& t : tilts) views.push_back({*normal, t, {t.z(), t.x(), t.y()}});
   return views;

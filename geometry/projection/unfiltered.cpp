@@ -26,7 +26,8 @@ Sign orient3d_in(const Point3& a, const Point3& b, const Point3& c, const Homoge
   const RealVector<Real> u = rounded_vector<Real>(b) - origin;
   const RealVector<Real> v = rounded_vector<Real>(c) - origin;
   const RealVector<Real> w = d.w == 0 ? last : RealVector<Real>(last - origin);
-  return sign_of(u.cross(v).dot(w));
+  const RealVector<Real> normal = u.cross(v);
+  return sign_of((normal.x() * w.x() + normal.y() * w.y()) + normal.z() * w.z());
 }
 
 template <class Real>

@@ -52,6 +52,23 @@ bool is_beyond_an_edge(std::span<const ImagePoint> points, std::span<const Image
   return false;
 }
 
+// Returns on which side of the line from a to b a point is that lies an infinitesimal step to the right of p, and one of a
+// higher order above it: so never on it.
+Sign side_beside(const ImagePoint& a, const ImagePoint& b, const ImagePoint& p) {
+  const Sign side = orientation(a, b, p);
+  if (side != 0) return side;
+  return a.y != b.y ? sign_of(a.y - b.y) : sign_of(b.x - a.x);
+}
+
+// Returns whether a convex polygon with this turn contains the point beside p: of polygons that lie side by side one does.
+bool contains_beside(std::span<const ImagePoint> polygon, Sign turn, const ImagePoint& p) {
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const ImagePoint& next = polygon[i + 1 == polygon.size() ? 0 : i + 1];
+    if (polygon[i] != next && side_beside(polygon[i], next, p) * turn < 0) return false;
+  }
+  return true;
+}
+
 // Returns, per cell, how many facets may be over its centre, up to two.
 std::vector<std::uint8_t> count_over_centre(const FacetCells& cells, const CellGrid& grid, std::size_t facets) {
   std::vector<std::uint8_t> count(grid.cell_count(), 0);
@@ -116,8 +133,19 @@ class CoverFinder {
     find_others();
     for (std::size_t i = 0; i < in_front_.size();) bring_forward(in_front_[i++]);
     for (const FacetId f : behind_) ++hidden_cells_[f.index()];
-    one_sheet_[cell_] = in_front_.size() == cover_size ? 1 : 0;
+    one_sheet_[cell_] = in_front_.size() == cover_size && covers_once() ? 1 : 0;
   }
+
+  // A sheet may wind around a vertex more than once, like a spiral staircase, and so cover the cell as often as it covers
+  // the centre. Precondition: what is in front is the cover.
+  [[nodiscard]] bool covers_once() const {
+    return std::ranges::count_if(in_front_, [this](FacetId f) {
+             return contains_beside(FacetOutline(scene_, f).points(), turn_of(f), centre_);
+           }) == 1;
+  }
+
+  // Returns how the outline of a proper facet turns in the image.
+  [[nodiscard]] Sign turn_of(FacetId f) const { return scene_.facing[f.index()] == Facing::back ? -1 : 1; }
 
   void find_over_centre() {
     over_centre_.clear();
@@ -196,8 +224,7 @@ class CoverFinder {
   }
 
   [[nodiscard]] bool is_beyond(const FacetOutline& outline, FacetId f, const FacetOutline& of_f) const {
-    const Sign turn = scene_.facing[f.index()] == Facing::back ? -1 : 1;
-    return continuation_.is_proper(f) && is_beyond_an_edge(outline.points(), of_f.points(), turn);
+    return continuation_.is_proper(f) && is_beyond_an_edge(outline.points(), of_f.points(), turn_of(f));
   }
 
   [[nodiscard]] bool misses_cell(EdgeId e) const {

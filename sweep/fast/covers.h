@@ -12,7 +12,7 @@
 //      says: docs/covers.md has the proof, in lemmas. What is deeper than all of the cover is out of range (lemma 6); what is
 //      behind all in front is in no top cycle (lemma 7), nor does anything that is in front come into range without it (the
 //      theorem). So also where facets overlap in the rounded image only, and their order is no order.
-//      What is said of one sheet holds where the cover covers the cell once (lemmas 9 to 11), which is not asked.
+//      What is said of one sheet holds where the cover covers the cell once (lemmas 9 to 11), and that is asked of its centre.
 //      Of one surface all facets are hidden or none, so that all edges that may carry its segments are there (lemma 8).
 // Complexity: O(n + pairs of a facet and a cell that it touches), in each cell the sheets over its centre, sorted, and the
 //      pairs of what is in front and what is no deeper than the cover.

@@ -269,6 +269,7 @@ void misstate_area(Stages& s) {
 // The patch becomes a part of the wall: its ring runs along the hole's.
 void join_patch_and_wall(Stages& s) {
   s.mesh.facet_face[2] = FaceId(0);
+  s.scene.surface = std::make_shared<const CutMesh>(uncrossed(s.mesh));
   s.polygons.polygons[patch_polygon].face = FaceId(0);
 }
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "geometry/numbers/parallel.h"
 #include "oracle/judging/engine_comparison.h"
@@ -198,6 +199,38 @@ TEST_CASE("engines: surfaces that overlap only because their image is rounded") 
                       << without_order << " of " << scenes << " scenes");
   CHECK(16 * tally.swept < 15 * tally.points);
   CHECK(8 * without_order > scenes);
+}
+
+// Faces around a vertex go round it twice, and the second time round they rise through those of the first. The mesh is
+// not cut: its faces meet along edges of their own.
+TEST_CASE("engines: a sheet that winds twice around a vertex covers a cell twice") {
+  constexpr std::size_t spokes = 24;
+  std::vector<Point3> vertices{{0, 0, 0}};
+  for (std::size_t i = 0; i < spokes; ++i) {
+    const double angle = 4 * std::numbers::pi * static_cast<double>(i) / spokes;
+    const bool is_seam = i == 0 || i == spokes / 2;
+    for (int ring = 1; ring <= 2; ++ring) {
+      const double r = ring + (i >= spokes / 2 ? 0.5 : 0);
+      vertices.push_back(is_seam ? Point3{r, 0, 0}
+                                 : Point3{r * std::cos(angle), r * std::sin(angle), 0.5 * r * std::sin(angle / 2)});
+    }
+  }
+  PolygonList faces;
+  const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
+    faces.push_back(std::array{VertexId(a), VertexId(b), VertexId(c)});
+  };
+  for (std::size_t i = 0; i < spokes; ++i) {
+    const std::size_t here = 1 + 2 * i;
+    const std::size_t next = 1 + 2 * ((i + 1) % spokes);
+    add(0, here, next);
+    add(here, here + 1, next + 1);
+    add(here, next + 1, next);
+  }
+  const CutMesh mesh = uncrossed(build_mesh(std::move(vertices), std::move(faces)));
+  const Camera camera = orthographic_camera("top", {.eye = {0.13, 0.21, 100}, .target = {0.13, 0.21, 0}}, 9);
+  EngineTally tally;
+  for (const int level : {2, 3, 4, 5, 6, 7})
+    CHECK(engine_differences(project(mesh, camera, Sides::both), {{level, 2}}, tally) == "");
 }
 
 }  // namespace sightline::tests::engine_test
