@@ -14,7 +14,7 @@ class Watcher : public AnalysisHook, public SweepObserver {
  public:
   SweepObserver* sweep_observer() override { return this; }
 
-  void at(const SweepPoint& point) override {
+  void on_point(const SweepPoint& point) override {
     std::cout << '(' << point.x << ", " << point.y << ')';
     if (point.vertex.valid()) std::cout << " a vertex";
     if (point.crossings > 0) std::cout << ' ' << point.crossings << " crossing edges";

@@ -36,15 +36,18 @@ CrossingPoint place_of(const ProjectedScene& scene, const Crossing& crossing) {
 // Ids of points follow the sweep order, so they order edges.
 using EdgeEnds = std::array<PointId, 2>;
 
-class Merging {
+class SceneMerger {
  public:
-  Merging(const ProjectedScene& scene, const VisibleSegments& segments, std::span<const BorderPiece> pieces)
-      : scene_(scene), segments_(segments), pieces_(pieces) {}
+  SceneMerger(ProjectedScene scene, VisibleSegments segments, std::span<const BorderSegment> border)
+      : merged_{std::move(scene), std::move(segments), {}}, border_(border) {}
 
   MergedScene run() {
-    merged_.scene = scene_;
+    if (border_.empty()) return std::move(merged_);
     merged_.scene.has_mirrored_lines = true;
-    merged_.segments = segments_;
+    std::swap(old_.points, merged_.scene.points);
+    std::swap(old_.edges, merged_.scene.edges);
+    std::swap(old_.sides, merged_.scene.sides);
+    std::swap(old_crossings_, merged_.segments.crossings);
     number_points();
     number_edges();
     number_crossings();
@@ -53,11 +56,11 @@ class Merging {
   }
 
  private:
-  // The lines are the piece's own, and those that cross at its ends.
+  // The lines are the segment's own, and those that cross at its ends.
   template <class Visit>
-  static void for_each_line(const BorderPiece& piece, Visit visit) {
-    visit(piece.line);
-    for (const ImagePlace& place : {piece.start, piece.end}) {
+  static void for_each_line(const BorderSegment& segment, Visit visit) {
+    visit(segment.line);
+    for (const ImagePlace& place : {segment.start, segment.end}) {
       if (place.on_grid) continue;
       visit(place.a);
       visit(place.b);
@@ -66,22 +69,21 @@ class Merging {
 
   void number_points() {
     std::vector<ImagePoint> found;
-    for (const BorderPiece& piece : pieces_) {
-      for_each_line(piece, [&](const ImageLine& l) { found.insert(found.end(), {l.top, l.bottom}); });
-      for (const ImagePlace& place : {piece.start, piece.end}) {
+    for (const BorderSegment& segment : border_) {
+      for_each_line(segment, [&](const ImageLine& l) { found.insert(found.end(), {l.top, l.bottom}); });
+      for (const ImagePlace& place : {segment.start, segment.end}) {
         if (place.on_grid) found.push_back(place.at.base);
       }
     }
     sort_distinct(found, [](const ImagePoint& a, const ImagePoint& b) { return sweeps_before(a, b); });
     auto& points = merged_.scene.points;
-    points.clear();
     const auto compare = [&](std::size_t i, std::size_t j) {
-      return scene_.points[i] == found[j] ? 0 : sweeps_before(scene_.points[i], found[j]) ? -1 : 1;
+      return old_.points[i] == found[j] ? 0 : sweeps_before(old_.points[i], found[j]) ? -1 : 1;
     };
     std::size_t next_found = 0;
-    for_each_merged(scene_.points.size(), found.size(), compare, [&](bool is_old, bool is_new) {
+    for_each_merged(old_.points.size(), found.size(), compare, [&](bool is_old, bool is_new) {
       const PointId id(points.size());
-      points.push_back(is_old ? scene_.points[point_of_old_.size()] : found[next_found]);
+      points.push_back(is_old ? old_.points[point_of_old_.size()] : found[next_found]);
       if (is_old) point_of_old_.push_back(id);
       if (is_new) ++next_found;
     });
@@ -95,28 +97,26 @@ class Merging {
 
   [[nodiscard]] EdgeEnds ends_of(const ImageLine& l) const { return {scene_point(l.top), scene_point(l.bottom)}; }
   [[nodiscard]] EdgeEnds ends_of_old(EdgeId e) const {
-    return {point_of_old_[scene_.edge(e).top.index()], point_of_old_[scene_.edge(e).bottom.index()]};
+    return {point_of_old_[old_.edge(e).top.index()], point_of_old_[old_.edge(e).bottom.index()]};
   }
 
   // Edges come with the sides that they had.
   void number_edges() {
     std::vector<EdgeEnds> found;
-    for (const BorderPiece& piece : pieces_) {
-      for_each_line(piece, [&](const ImageLine& l) { found.push_back(ends_of(l)); });
+    for (const BorderSegment& segment : border_) {
+      for_each_line(segment, [&](const ImageLine& l) { found.push_back(ends_of(l)); });
     }
     sort_distinct(found, std::less<>());
     auto& edges = merged_.scene.edges;
-    edges.clear();
-    merged_.scene.sides.clear();
     std::size_t next_found = 0;
     const auto compare = [&](std::size_t i, std::size_t j) {
       const EdgeEnds old = ends_of_old(EdgeId(i));
       return old == found[j] ? 0 : old < found[j] ? -1 : 1;
     };
-    for_each_merged(scene_.edge_count(), found.size(), compare, [&](bool is_old, bool is_new) {
+    for_each_merged(old_.edge_count(), found.size(), compare, [&](bool is_old, bool is_new) {
       const EdgeEnds ends = is_old ? ends_of_old(EdgeId(edge_of_old_.size())) : found[next_found];
       if (is_old) {
-        add_edge(ends, scene_.sides_of(EdgeId(edge_of_old_.size())));
+        add_edge(ends, old_.sides_of(EdgeId(edge_of_old_.size())));
         edge_of_old_.emplace_back(edges.size() - 1);
       } else {
         add_edge(ends, {});
@@ -140,21 +140,21 @@ class Merging {
     return EdgeId(static_cast<std::size_t>(std::ranges::partition_point(real, before) - real.begin()));
   }
 
-  // A piece ends here in a crossing.
-  struct PieceEnd {
+  // A segment of the border ends here in a crossing.
+  struct BorderEnd {
     CrossingPoint at;
     EdgeId a;
     EdgeId b;
-    std::size_t number = 0;  // 2 i for the start of piece i, 2 i + 1 for its end
+    std::size_t number = 0;  // 2 i for the start of segment i, 2 i + 1 for its end
   };
 
-  [[nodiscard]] std::vector<PieceEnd> crossing_ends() const {
-    std::vector<PieceEnd> ends;
-    for (std::size_t i = 0; i < 2 * pieces_.size(); ++i) {
-      const ImagePlace& p = i % 2 == 0 ? pieces_[i / 2].start : pieces_[i / 2].end;
+  [[nodiscard]] std::vector<BorderEnd> crossing_ends() const {
+    std::vector<BorderEnd> ends;
+    for (std::size_t i = 0; i < 2 * border_.size(); ++i) {
+      const ImagePlace& p = i % 2 == 0 ? border_[i / 2].start : border_[i / 2].end;
       if (!p.on_grid) ends.push_back({p.at, edge(p.a), edge(p.b), i});
     }
-    std::sort(ends.begin(), ends.end(), [](const PieceEnd& a, const PieceEnd& b) {
+    std::sort(ends.begin(), ends.end(), [](const BorderEnd& a, const BorderEnd& b) {
       const int order = sweep_compare(a.at, b.at);
       return order != 0 ? order < 0 : a.number < b.number;
     });
@@ -164,36 +164,35 @@ class Merging {
   // Crossings are numbered in sweep order. Of those at the same place the sweep's own comes first, if there is one, and
   // stands for all.
   void number_crossings() {
-    point_of_.resize(segments_.crossings.size() + 2 * pieces_.size());
-    merged_.segments.crossings.clear();
+    point_of_.resize(old_crossings_.size() + 2 * border_.size());
     std::size_t next_old = 0;
     const auto add_old_up_to = [&](std::size_t end) {
       for (; next_old < end; ++next_old) point_of_[next_old] = number_of_old(next_old);
     };
-    for (const PieceEnd& end : crossing_ends()) {
+    for (const BorderEnd& end : crossing_ends()) {
       add_old_up_to(first_old_after(end.at, next_old));
-      point_of_[segments_.crossings.size() + end.number] = number_of(end);
+      point_of_[old_crossings_.size() + end.number] = number_of(end);
     }
-    add_old_up_to(segments_.crossings.size());
+    add_old_up_to(old_crossings_.size());
   }
 
   [[nodiscard]] std::size_t first_old_after(const CrossingPoint& at, std::size_t from) const {
-    const auto rest = std::span(segments_.crossings).subspan(from);
-    const auto is_not_after = [&](const Crossing& c) { return sweep_compare(place_of(scene_, c), at) <= 0; };
+    const auto rest = std::span(old_crossings_).subspan(from);
+    const auto is_not_after = [&](const Crossing& c) { return sweep_compare(place_of(old_, c), at) <= 0; };
     return from + static_cast<std::size_t>(std::ranges::partition_point(rest, is_not_after) - rest.begin());
   }
 
   // Only points that are new since can be between the crossing and the points that it was between.
   PointId number_of_old(std::size_t crossing) {
-    const Crossing& old = segments_.crossings[crossing];
+    const Crossing& old = old_crossings_[crossing];
     const std::size_t after = old.after.index();
     const std::size_t first = after == 0 ? 0 : point_of_old_[after - 1].index() + 1;
     const std::size_t end = after == point_of_old_.size() ? merged_.scene.points.size() : point_of_old_[after].index();
     const Crossing renamed{edge_of_old(old.a), edge_of_old(old.b), PointId(end)};
-    return first == end ? added(renamed) : scene_point_or_added(renamed, place_of(scene_, old), first, end);
+    return first == end ? added(renamed) : scene_point_or_added(renamed, place_of(old_, old), first, end);
   }
 
-  PointId number_of(const PieceEnd& end) {
+  PointId number_of(const BorderEnd& end) {
     const auto& known = merged_.segments.crossings;
     if (!known.empty() && sweep_compare(place_of(merged_.scene, known.back()), end.at) == 0) return last_crossing();
     return scene_point_or_added({end.a, end.b, PointId{}}, end.at, 0, merged_.scene.points.size());
@@ -218,8 +217,8 @@ class Merging {
   }
 
   [[nodiscard]] PointId renamed(PointId p) const {
-    if (p.index() < scene_.points.size()) return point_of_old_[p.index()];
-    return point_of_[p.index() - scene_.points.size()];
+    if (p.index() < old_.points.size()) return point_of_old_[p.index()];
+    return point_of_[p.index() - old_.points.size()];
   }
 
   void rename() {
@@ -234,29 +233,29 @@ class Merging {
       split.edge = edge_of_old(split.edge);
       split.point = renamed(split.point);
     }
-    for (std::size_t i = 0; i < pieces_.size(); ++i) {
-      const BorderPiece& piece = pieces_[i];
-      merged_.pieces.push_back({end_of(piece.start, 2 * i), end_of(piece.end, 2 * i + 1), edge(piece.line)});
+    for (std::size_t i = 0; i < border_.size(); ++i) {
+      const BorderSegment& segment = border_[i];
+      merged_.border.push_back({end_of(segment.start, 2 * i), end_of(segment.end, 2 * i + 1), edge(segment.line)});
     }
   }
 
   [[nodiscard]] PointId end_of(const ImagePlace& place, std::size_t end) const {
-    return place.on_grid ? scene_point(place.at.base) : point_of_[segments_.crossings.size() + end];
+    return place.on_grid ? scene_point(place.at.base) : point_of_[old_crossings_.size() + end];
   }
 
-  const ProjectedScene& scene_;
-  const VisibleSegments& segments_;
-  std::span<const BorderPiece> pieces_;
+  MergedScene merged_;
+  std::span<const BorderSegment> border_;
+  ProjectedScene old_;  // only the points, the edges and their sides, as they were numbered
+  std::vector<Crossing> old_crossings_;
   std::vector<PointId> point_of_old_;  // per point of the scene
   std::vector<EdgeId> edge_of_old_;    // per edge of the scene
-  std::vector<PointId> point_of_;      // per crossing of the sweep, then per end of a piece
-  MergedScene merged_;
+  std::vector<PointId> point_of_;      // per crossing of the sweep, then per end of a segment of the border
 };
 
 }  // namespace
 
-MergedScene merge(const ProjectedScene& scene, const VisibleSegments& segments, std::span<const BorderPiece> pieces) {
-  return Merging(scene, segments, pieces).run();
+MergedScene merge(ProjectedScene scene, VisibleSegments segments, std::span<const BorderSegment> border) {
+  return SceneMerger(std::move(scene), std::move(segments), border).run();
 }
 
 }  // namespace sightline::inline reflect

@@ -1,11 +1,12 @@
-// A view's scene and segments with more lines and places in them.
+// A view's scene and segments with the borders of regions in them.
 //
-// In:  the projected scene and its visible segments; pieces whose lines and places are known by value (image_place.h).
-// Out: both again, with new numbers for points and edges: the lines of the pieces are edges without sides, and the ends
-//      of the pieces are points, scene points or crossings; and per piece these numbers. Facets, and the segments'
-//      order and ids, stay.
+// In:  the projected scene and its visible segments, which are taken over; a border, whose segments' lines and places are
+//      known by value (image_place.h).
+// Out: both again, with new numbers for points and edges: the lines of the border are edges without sides, and the ends
+//      of its segments are points, scene points or crossings; and per segment of the border these numbers. Facets, and the
+//      visible segments' order and ids, stay. Points and edges are numbered anew since their order is the sweep's.
 // Holds: what holds for a projected scene and for visible segments, except that an edge may be without sides.
-// Complexity: O(n log n).
+// Complexity: O(n + m log(n + m)) for m segments of the border; nothing where it has none.
 #pragma once
 
 #include <span>
@@ -16,7 +17,7 @@
 
 namespace sightline::inline reflect {
 
-struct NumberedPiece {
+struct NumberedSegment {
   PointId start;
   PointId end;
   EdgeId edge;
@@ -25,10 +26,9 @@ struct NumberedPiece {
 struct MergedScene {
   ProjectedScene scene;
   VisibleSegments segments;
-  std::vector<NumberedPiece> pieces;  // parallel to those given
+  std::vector<NumberedSegment> border;  // parallel to the one given
 };
 
-[[nodiscard]] MergedScene merge(const ProjectedScene& scene, const VisibleSegments& segments,
-                                std::span<const BorderPiece> pieces);
+[[nodiscard]] MergedScene merge(ProjectedScene scene, VisibleSegments segments, std::span<const BorderSegment> border);
 
 }  // namespace sightline::inline reflect

@@ -99,16 +99,17 @@ std::vector<PointId> start_points(const VisibleSegments& segments, const std::ve
 
 }  // namespace
 
-VisibleSegments reflecting_segments(const MergedScene& merged, std::vector<SurfacePiece> pieces) {
+VisibleSegments reflecting_segments(const MergedScene& merged, std::vector<SurfaceSegment> segments) {
   const CutMesh& mesh = merged.scene.mesh();
   const SweepOrder before(merged.scene, merged.segments);
   VisibleSegments result;
   result.crossings = merged.segments.crossings;
-  const auto upper = [&](const NumberedPiece& p) { return before(p.start, p.end) ? p.start : p.end; };
-  std::ranges::stable_sort(
-      pieces, [&](const SurfacePiece& a, const SurfacePiece& b) { return before(upper(a.piece), upper(b.piece)); });
-  for (const auto& [surface, piece] : pieces)
-    result.segments.push_back({piece.start, piece.end, surface, FacetId{}, piece.edge});
+  const auto upper = [&](const NumberedSegment& p) { return before(p.start, p.end) ? p.start : p.end; };
+  std::ranges::stable_sort(segments, [&](const SurfaceSegment& a, const SurfaceSegment& b) {
+    return before(upper(a.segment), upper(b.segment));
+  });
+  for (const auto& [surface, segment] : segments)
+    result.segments.push_back({segment.start, segment.end, surface, FacetId{}, segment.edge});
   const EdgeSides sides(merged.scene, result);
   for_each_surface(mesh, result, [&](FacetId /*surface*/, const std::vector<SegmentId>& ids) {
     SurfaceBorder(merged.scene, result, sides, ids).add_threads();

@@ -1,9 +1,9 @@
 // The borders of reflecting polygons as visible segments, ready for reconstruction and labelling.
 //
-// In:  the merged scene, and the numbered pieces of each surface's border.
+// In:  the merged scene, and the numbered segments of each surface's border.
 // Out: segments in sweep order with the threads from their holes (Fang 5.3), and the places where they split mesh
 //      edges.
-// Complexity: O(m log m), and O(m) more per hole, for m pieces.
+// Complexity: O(m log m), and O(m) more per hole, for m segments.
 #pragma once
 
 #include <span>
@@ -13,12 +13,12 @@
 
 namespace sightline::inline reflect {
 
-struct SurfacePiece {
+struct SurfaceSegment {
   FacetId surface;
-  NumberedPiece piece;
+  NumberedSegment segment;
 };
 
-[[nodiscard]] VisibleSegments reflecting_segments(const MergedScene& merged, std::vector<SurfacePiece> pieces);
+[[nodiscard]] VisibleSegments reflecting_segments(const MergedScene& merged, std::vector<SurfaceSegment> segments);
 
 // Gives the reflecting segments their splits, which are where their ends lie strictly inside edges of their own
 // surface, which the labelled surface must split for all faces on them. `visible` has the view's visible segments, on

@@ -12,43 +12,29 @@
 namespace sightline::inline reflect {
 namespace {
 
-struct FoundPiece {
-  FacetId surface;
-  std::size_t panel = 0;
+// The borders of what reflects which panel, surface by surface.
+struct ReflectingBorders {
+  struct Owner {
+    FacetId surface;
+    std::size_t panel = 0;
+  };
+  RegionBorder segments;
+  std::vector<Owner> owners;  // parallel to the segments
+  ReflectionStatistics statistics;
 };
 
-void add_splits(VisibleSegments& segments, const VisibleSegments& reflecting) {
-  auto& splits = segments.splits;
-  splits.insert(splits.end(), reflecting.splits.begin(), reflecting.splits.end());
-  std::ranges::sort(splits);
-  splits.erase(std::unique(splits.begin(), splits.end()), splits.end());
-}
-
 template <class MirrorKind>
-class Reflection {
+class ReflectionSearch {
  public:
-  Reflection(const MirrorWorld& world, const ProjectedScene& scene, const VisibleSegments& segments,
-             const VisiblePolygons& polygons)
+  ReflectionSearch(const MirrorWorld& world, const ProjectedScene& scene, const VisibleSegments& segments,
+                   const VisiblePolygons& polygons)
       : world_(world), scene_(scene), segments_(segments), polygons_(polygons), points_(scene, segments) {}
 
-  ReflectedView run() {
+  ReflectingBorders run() {
     for (std::size_t p = 0; p < polygons_.polygons.size(); ++p) {
       if (!polygons_.polygons[p].below_resolution) add_polygon(p);
     }
-    MergedScene merged = merge(scene_, segments_, pieces_);
-    ReflectedView view;
-    view.reflections.mode = world_.options.mode;
-    for (std::size_t panel = 0; panel < world_.panels.size(); ++panel) {
-      PanelReflection& reflection = view.reflections.panels.emplace_back();
-      reflection.segments = reflecting_segments(merged, pieces_of(panel, merged));
-      reflection.polygons = reconstruct_polygons(merged.scene, reflection.segments);
-      find_splits(reflection.segments, merged.scene, merged.segments);
-    }
-    for (const PanelReflection& reflection : view.reflections.panels) add_splits(merged.segments, reflection.segments);
-    view.reflections.statistics = statistics_;
-    view.scene = std::move(merged.scene);
-    view.segments = std::move(merged.segments);
-    return view;
+    return std::move(found_);
   }
 
  private:
@@ -64,13 +50,11 @@ class Reflection {
     if (reached.empty()) return;
     const RegionBorder border = border_of(p);
     std::vector<RegionBorder> found(world_.panels.size());
-    for (const std::size_t panel : reached) found[panel] = mirror_->reflecting(border, part, panel, statistics_);
+    for (const std::size_t panel : reached) found[panel] = mirror_->reflecting(border, part, panel, found_.statistics);
     found = divided_at_meetings(std::move(found));
     for (std::size_t panel = 0; panel < found.size(); ++panel) {
-      for (const BorderPiece& piece : found[panel]) {
-        pieces_.push_back(piece);
-        found_.push_back({surface, panel});
-      }
+      found_.segments.insert(found_.segments.end(), found[panel].begin(), found[panel].end());
+      found_.owners.resize(found_.segments.size(), {surface, panel});
     }
   }
 
@@ -84,7 +68,7 @@ class Reflection {
 
   [[nodiscard]] RegionBorder border_of(std::size_t polygon) const {
     RegionBorder border;
-    for_each_segment(polygon, [&](const VisibleSegment& s) { border.push_back(border_piece(scene_, segments_, s)); });
+    for_each_segment(polygon, [&](const VisibleSegment& s) { border.push_back(border_segment(scene_, segments_, s)); });
     return border;
   }
 
@@ -101,14 +85,6 @@ class Reflection {
             window(std::ceil(grid.top) + 1)};
   }
 
-  [[nodiscard]] std::vector<SurfacePiece> pieces_of(std::size_t panel, const MergedScene& merged) const {
-    std::vector<SurfacePiece> result;
-    for (std::size_t i = 0; i < found_.size(); ++i) {
-      if (found_[i].panel == panel) result.push_back({found_[i].surface, merged.pieces[i]});
-    }
-    return result;
-  }
-
   const MirrorWorld& world_;
   const ProjectedScene& scene_;
   const VisibleSegments& segments_;
@@ -116,10 +92,49 @@ class Reflection {
   const ImagePoints points_;
   std::optional<MirrorKind> mirror_;
   FacetId mirrored_surface_;
-  RegionBorder pieces_;
-  std::vector<FoundPiece> found_;  // parallel to pieces_
-  ReflectionStatistics statistics_;
+  ReflectingBorders found_;
 };
+
+ReflectingBorders find_borders(const MirrorWorld& world, const ProjectedScene& scene, const VisibleSegments& segments,
+                               const VisiblePolygons& polygons) {
+  return world.options.mode == ReflectionMode::smooth
+             ? ReflectionSearch<SmoothMirror>(world, scene, segments, polygons).run()
+             : ReflectionSearch<Mirror>(world, scene, segments, polygons).run();
+}
+
+std::vector<SurfaceSegment> border_of_panel(const ReflectingBorders& borders, std::size_t panel,
+                                            const MergedScene& merged) {
+  std::vector<SurfaceSegment> border;
+  for (std::size_t i = 0; i < borders.owners.size(); ++i) {
+    if (borders.owners[i].panel == panel) border.push_back({borders.owners[i].surface, merged.border[i]});
+  }
+  return border;
+}
+
+PanelReflection panel_reflection(const MergedScene& merged, std::vector<SurfaceSegment> border) {
+  PanelReflection reflection;
+  reflection.segments = reflecting_segments(merged, std::move(border));
+  reflection.polygons = reconstruct_polygons(merged.scene, reflection.segments);
+  find_splits(reflection.segments, merged.scene, merged.segments);
+  return reflection;
+}
+
+void add_splits(VisibleSegments& segments, const VisibleSegments& reflecting) {
+  auto& splits = segments.splits;
+  splits.insert(splits.end(), reflecting.splits.begin(), reflecting.splits.end());
+  std::ranges::sort(splits);
+  splits.erase(std::unique(splits.begin(), splits.end()), splits.end());
+}
+
+ReflectedView reflected_view(const MirrorWorld& world, const ReflectingBorders& borders, MergedScene merged) {
+  Reflections reflections;
+  reflections.mode = world.options.mode;
+  reflections.statistics = borders.statistics;
+  for (std::size_t panel = 0; panel < world.panels.size(); ++panel)
+    reflections.panels.push_back(panel_reflection(merged, border_of_panel(borders, panel, merged)));
+  for (const PanelReflection& panel : reflections.panels) add_splits(merged.segments, panel.segments);
+  return {std::move(merged.scene), std::move(merged.segments), std::move(reflections)};
+}
 
 std::vector<VisibleSegment> border_above_resolution(const PanelReflection& panel) {
   std::vector<VisibleSegment> border;
@@ -140,12 +155,11 @@ PanelBorders panel_borders(const Reflections& reflections) {
   return borders;
 }
 
-ReflectedView find_reflections(const MirrorWorld& world, const ProjectedScene& scene, const VisibleSegments& segments,
+ReflectedView find_reflections(const MirrorWorld& world, ProjectedScene scene, VisibleSegments segments,
                                const VisiblePolygons& polygons) {
   return with_invariants_of(scene.arithmetic, [&] {
-    return world.options.mode == ReflectionMode::smooth
-               ? Reflection<SmoothMirror>(world, scene, segments, polygons).run()
-               : Reflection<Mirror>(world, scene, segments, polygons).run();
+    const ReflectingBorders borders = find_borders(world, scene, segments, polygons);
+    return reflected_view(world, borders, merge(std::move(scene), std::move(segments), borders.segments));
   });
 }
 

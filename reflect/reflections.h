@@ -1,6 +1,7 @@
 // Reflections: which part of what the camera sees mirrors which panel into it.
 //
-// In:  a view: projected scene, visible segments and polygons; the panels and what may be in their way (MirrorWorld).
+// In:  a view: projected scene and visible segments, which are taken over (copied unless they are moved), and visible
+//      polygons; the panels and what may be in their way (MirrorWorld).
 // Out: per panel its reflecting polygons, and the view's scene and segments with the points and lines that these need
 //      (merged_scene.h); the ids of facets, segments and polygons stay what they were.
 // Holds: a reflecting polygon lies in a visible polygon of its face, and shares its points where it runs along its
@@ -39,8 +40,8 @@ struct ReflectedView {
   Reflections reflections;
 };
 
-[[nodiscard]] SIGHTLINE_EXPORT ReflectedView find_reflections(const MirrorWorld& world, const ProjectedScene& scene,
-                                                              const VisibleSegments& segments,
+[[nodiscard]] SIGHTLINE_EXPORT ReflectedView find_reflections(const MirrorWorld& world, ProjectedScene scene,
+                                                              VisibleSegments segments,
                                                               const VisiblePolygons& polygons);
 
 // Returns the borders of the reflecting polygons above resolution, as label_mesh wants them.

@@ -88,8 +88,9 @@ Visibility Analyzer::find_visible(const Camera& camera) const {
 }
 
 void Analyzer::reflect(const MirrorWorld& world, View& view) const {
-  ReflectedView reflected = in_stage(options_.hook, Stage::reflect,
-                                     [&] { return find_reflections(world, view.scene, view.segments, view.polygons); });
+  ReflectedView reflected = in_stage(options_.hook, Stage::reflect, [&] {
+    return find_reflections(world, std::move(view.scene), std::move(view.segments), view.polygons);
+  });
   view.scene = std::move(reflected.scene);
   view.segments = std::move(reflected.segments);
   view.reflections = std::move(reflected.reflections);

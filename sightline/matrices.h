@@ -19,7 +19,7 @@ namespace sightline {
 struct SurfaceMatrices {
   Eigen::MatrixX3d V;      // n x 3
   Eigen::MatrixX3i F;      // m x 3
-  Eigen::VectorXi parent;  // per row of F: the face of the input that the triangle is a piece of
+  Eigen::VectorXi parent;  // per row of F: the face of the input that the triangle is of
   Eigen::VectorXi label;   // per row of F: a Label
 };
 

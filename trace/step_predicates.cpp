@@ -215,9 +215,9 @@ void StepPredicates::add_depth(FacetId f, FacetId g) {
   const FacetId back = nearer ? g : f;
   if (!ranges_.empty() && ranges_[front.index()].farthest < ranges_[back.index()].nearest) {
     add_verdict(front, back, "ranges", "all of it is less deep");
-  } else if (whole_of(f) == whole_of(g)) {
+  } else if (mesh_.uncut_facet(f) == mesh_.uncut_facet(g)) {
     add_verdict(front, back, "rule", "they are parts of one face");
-  } else if (mesh_.is_cut() && pieces_.applies_to(whole_of(f), whole_of(g))) {
+  } else if (mesh_.is_cut() && pieces_.applies_to(mesh_.uncut_facet(f), mesh_.uncut_facet(g))) {
     add_verdict(front, back, "exact", "they were cut along their common line");
   } else if (!add_corners_against_plane(std::min(f, g), std::max(f, g)) &&
              !add_corners_against_plane(std::max(f, g), std::min(f, g))) {
@@ -229,7 +229,7 @@ void StepPredicates::add_depth(FacetId f, FacetId g) {
 bool StepPredicates::add_corners_against_plane(FacetId f, FacetId g) {
   bool front = false;
   bool behind = false;
-  for (const VertexId v : corners(f)) {
+  for (const VertexId v : mesh_.uncut_corners(mesh_.uncut_facet(f))) {
     const Sign side = add_corner_against_plane(v, g);
     front = front || side > 0;
     behind = behind || side < 0;
@@ -241,7 +241,7 @@ bool StepPredicates::add_corners_against_plane(FacetId f, FacetId g) {
 
 Sign StepPredicates::add_corner_against_plane(VertexId v, FacetId plane) {
   std::array<VertexId, 3> abc = plane_corners(mesh_, plane);
-  if (scene_.facing[plane.index()] == Facing::back) std::swap(abc[1], abc[2]);
+  if (scene_.facing[plane.index()] == FacetFacing::back) std::swap(abc[1], abc[2]);
   LoggedPredicate predicate{"depth", {}, "orient3d(a, b, c, d)", {}, 0, {}, to_string(scene_.arithmetic)};
   for (const VertexId corner : {abc[0], abc[1], abc[2], v}) {
     const Point3& p = mesh_.position(corner);
@@ -273,14 +273,6 @@ void StepPredicates::add_verdict(FacetId f, FacetId g, const std::string& decide
     verdict.operands = {{name(f), {ranges_[f.index()].farthest}}, {name(g), {ranges_[g.index()].nearest}}};
   }
   found_.push_back(std::move(verdict));
-}
-
-std::span<const VertexId> StepPredicates::corners(FacetId f) const {
-  return mesh_.is_cut() ? mesh_.cuts.wholes[whole_of(f).index()] : mesh_.corners(f);
-}
-
-WholeId StepPredicates::whole_of(FacetId f) const {
-  return mesh_.is_cut() ? mesh_.cuts.whole_of[f.index()] : WholeId(f.index());
 }
 
 }  // namespace sightline::trace

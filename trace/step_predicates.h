@@ -57,8 +57,6 @@ class StepPredicates {
   [[nodiscard]] const std::string& name(FacetId f) const;
   [[nodiscard]] std::string name(EdgeId e) const;
   [[nodiscard]] Operand operand(PointId p) const;
-  [[nodiscard]] std::span<const VertexId> corners(FacetId f) const;
-  [[nodiscard]] WholeId whole_of(FacetId f) const;
   [[nodiscard]] const char* integers() const;
 
   const CutMesh& mesh_;

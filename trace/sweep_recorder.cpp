@@ -58,7 +58,7 @@ std::string emit_vertex(FacetId surface, SweepStep& step) {
 SweepRecorder::SweepRecorder(const SceneNames& names, std::size_t most_steps, SweepLog& log)
     : mesh_(log.scene.mesh()), names_(names), most_steps_(most_steps), log_(log), predicates_(log, names) {}
 
-void SweepRecorder::look(const SweepState& state) {
+void SweepRecorder::on_state(const SweepState& state) {
   log_.depth_is_transitive = state.so_far().statistics.depth_is_transitive;
   if (log_.steps.size() == most_steps_) throw TooManySteps(log_.scene.points.size());
   SweepStep step;

@@ -1,6 +1,6 @@
 // Writes down what a sweep does at each of its points.
 //
-// In:  the states of a sweep, as SweepObserver::look shows them.
+// In:  the states of a sweep, as SweepObserver::on_state shows them.
 // Out: the steps and segments of a SweepLog; rings are not known before the end (trace_sweep.h).
 // Complexity: per step O(l) for the length l of the active edge list with its node lists, and what the predicates cost.
 // Errors: TooManySteps at the first sweep point beyond the limit.
@@ -34,8 +34,8 @@ class SweepRecorder : public SweepObserver {
   // `log` has its scene and names, and gets its steps and segments.
   SweepRecorder(const SceneNames& names, std::size_t most_steps, SweepLog& log);
 
-  void at(const SweepPoint& /*point*/) override {}
-  void look(const SweepState& state) override;
+  void on_point(const SweepPoint& /*point*/) override {}
+  void on_state(const SweepState& state) override;
 
  private:
   void find_bundles(const SweepState& state, std::vector<LoggedBundle>& after, SweepStep& step);

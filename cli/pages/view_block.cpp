@@ -89,7 +89,7 @@ class PolygonArrays {
     for (std::size_t r = 0; r < polygon.ring_count; ++r) add_ring(view_.polygons.ring(polygon.first_ring + r));
     rings_.push_back(polygon.ring_count);
     faces_.push_back(polygon.face.value);
-    const Facing facing = view_.scene.facing[polygon.facet.index()];
+    const FacetFacing facing = view_.scene.facing[polygon.facet.index()];
     for (const std::uint8_t channel : face_shade(mesh, view_.scene.camera, polygon.facet, facing).fill)
       colours_.push_back(channel);
   }

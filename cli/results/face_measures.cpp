@@ -28,9 +28,9 @@ double in_window_units(Int128 twice_area, int grid_bits) {
   return std::ldexp(static_cast<double>(twice_area), -2 * grid_bits - 1);
 }
 
-FaceFacing face_facing(Facing facing) {
-  if (facing == Facing::front) return FaceFacing::front;
-  return facing == Facing::back ? FaceFacing::back : FaceFacing::edge_on;
+FaceFacing face_facing(FacetFacing facing) {
+  if (facing == FacetFacing::front) return FaceFacing::front;
+  return facing == FacetFacing::back ? FaceFacing::back : FaceFacing::edge_on;
 }
 
 FaceFacing face_facing(const ProjectedScene& scene, FaceId face) {
@@ -40,7 +40,7 @@ FaceFacing face_facing(const ProjectedScene& scene, FaceId face) {
   if (first == end) return FaceFacing::skipped;
   const bool alike = std::all_of(scene.facing.begin() + static_cast<std::ptrdiff_t>(first),
                                  scene.facing.begin() + static_cast<std::ptrdiff_t>(end),
-                                 [&](Facing facing) { return facing == scene.facing[first]; });
+                                 [&](FacetFacing facing) { return facing == scene.facing[first]; });
   return alike ? face_facing(scene.facing[first]) : FaceFacing::mixed;
 }
 

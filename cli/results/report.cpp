@@ -28,7 +28,7 @@ void sort_distinct(std::vector<Value>& values) {
 
 // The pairs of faces that pass through each other. The mesh is cut along common lines.
 std::size_t crossing_pair_count(const CutMesh& mesh) {
-  const auto face = [&](WholeId whole) { return mesh.facet_face[mesh.cuts.first_facet[whole.index()].index()]; };
+  const auto face = [&](UncutFacetId uncut) { return mesh.facet_face[mesh.first_piece(uncut).index()]; };
   std::vector<std::array<FaceId, 2>> pairs;
   for (const auto& [a, b] : mesh.cuts.crossing) pairs.push_back({face(a), face(b)});
   sort_distinct(pairs);
@@ -100,14 +100,14 @@ double twice_window_area(const Camera& camera, const LabelledMesh& labelled, con
 void measure_triangles(const View& view, std::size_t panel, Report::ReflectedPanel& reflected) {
   for (const LabelledTriangle& t : view.labelled.triangles) {
     if ((t.reflecting >> panel & 1U) == 0) continue;
-    ++reflected.pieces;
+    ++reflected.polygons;
     reflected.image_area += twice_window_area(view.scene.camera, view.labelled, t) / 2;
   }
 }
 
 // Those below resolution are counted, but have no area.
 void measure_polygons(const VisiblePolygons& polygons, Report::ReflectedPanel& reflected) {
-  reflected.pieces = polygons.polygons.size();
+  reflected.polygons = polygons.polygons.size();
   for (const VisiblePolygon& polygon : polygons.polygons)
     reflected.image_area += polygon.below_resolution ? 0 : polygon.area;
 }
@@ -173,7 +173,8 @@ Report make_report(const SceneDescription& scene, const MeshInput& input, const 
   const CutMesh& mesh = analysis.view.mesh();
   const View& view = analysis.view;
   Report report;
-  report.surface = {scene.file, scene.mesh_file, mesh.input_vertex_count(), mesh.face_count(), mesh.whole_count()};
+  report.surface = {scene.file, scene.mesh_file, mesh.input_vertex_count(), mesh.face_count(),
+                    mesh.uncut_facet_count()};
   report.camera = view.scene.camera;
   report.sides_asked = analysis.asked.sides;
   report.sides = view.sides;

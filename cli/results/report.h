@@ -59,7 +59,7 @@ struct Report {
     Emits emits = Emits::both;
     double area = 0;  // of the surface that reflects it
     double image_area = 0;
-    std::size_t pieces = 0;  // in the image: triangles in the mode of this name, else polygons
+    std::size_t polygons = 0;  // in the image: triangles in the mode of this name, else polygons
   };
 
   struct Reflection {

@@ -69,13 +69,13 @@ Json mode_json(const Report::Reflection& reflection) {
 }
 
 Json reflection_json(const Report::Reflection& reflection) {
-  const char* const pieces = reflection.asked.mode == ReflectionMode::triangles ? "triangles" : "polygons";
+  const char* const noun = reflection.asked.mode == ReflectionMode::triangles ? "triangles" : "polygons";
   const auto panel_json = [&](const Report::ReflectedPanel& panel) -> Json {
     return {{"name", panel.name},
             {"emits", as_json(panel.emits)},
             {"area", panel.area},
             {"image_area", panel.image_area},
-            {pieces, panel.pieces}};
+            {noun, panel.polygons}};
   };
   Json part = mode_json(reflection);
   part.update({{"panels", list_json(reflection.panels, panel_json)},

@@ -30,7 +30,7 @@ void Progress::write(const std::string& line) const {
   std::fflush(stderr);
 }
 
-void SweepProgress::at(const SweepPoint& point) {
+void SweepProgress::on_point(const SweepPoint& point) {
   const std::size_t percent = points_ == 0 ? 100 : 100 * point.points_done / points_;
   if (percent == shown_percent_) return;
   shown_percent_ = percent;

@@ -34,7 +34,7 @@ class Progress {
 class SweepProgress : public SweepObserver {
  public:
   SweepProgress(Progress& progress, std::size_t points) : progress_(&progress), points_(points) {}
-  void at(const SweepPoint& point) override;
+  void on_point(const SweepPoint& point) override;
 
  private:
   Progress* progress_;

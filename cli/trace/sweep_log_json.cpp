@@ -21,7 +21,7 @@ Json faces_json(const trace::SweepLog& log) {
 Json facets_json(const trace::SweepLog& log) {
   Json facets = Json::array();
   for (std::size_t f = 0; f < log.scene.status.size(); ++f) {
-    if (log.scene.status[f] != Status::in_view) continue;
+    if (log.scene.status[f] != FacetStatus::in_view) continue;
     Json outline = Json::array();
     for (const ClippedCorner& corner : log.scene.polygon(FacetId(f))) outline.push_back(corner.point.value);
     facets.push_back({{"facet", f}, {"face", log.face_of[f].value}, {"outline", outline}});

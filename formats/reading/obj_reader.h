@@ -9,7 +9,7 @@
 // that is missing, no decimal number (a hexadecimal one is none), not finite, or beyond the range of double; UTF-16
 // text; a file in which no statement has an OBJ keyword; a file that cannot be read; a word of more than 2^20 bytes, a
 // face of more than 10 000 corners (see most_corners), more statements than the limit on memory allows. Lines may be of
-// any length: the file is read in pieces of 1 MiB, and what is held of it are its vertices and faces.
+// any length: the file is read in portions of 1 MiB, and what is held of it are its vertices and faces.
 //
 // What is skipped, counted and listed in a warning: faces with a Defect (see mesh.h); statements with a keyword that is
 // none, or that describes geometry not read here (curves, surfaces, call, fo), so also binary or NUL bytes outside v

@@ -53,10 +53,10 @@ Colour mixed(const Ramp& ramp, double share, double factor) {
 
 }  // namespace
 
-FaceShade face_shade(const CutMesh& mesh, const Camera& camera, FacetId facet, Facing facing) {
+FaceShade face_shade(const CutMesh& mesh, const Camera& camera, FacetId facet, FacetFacing facing) {
   const Vector3 normal = facet_normal(mesh, facet);
-  const double share = brightness(facing == Facing::back ? -1.0 * normal : normal, camera);
-  const Ramp& ramp = facing == Facing::back ? back_ramp : front_ramp;
+  const double share = brightness(facing == FacetFacing::back ? -1.0 * normal : normal, camera);
+  const Ramp& ramp = facing == FacetFacing::back ? back_ramp : front_ramp;
   return {mixed(ramp, share, 1), mixed(ramp, share, stroke_share)};
 }
 

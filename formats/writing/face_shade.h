@@ -18,6 +18,6 @@ struct FaceShade {
 };
 
 // Fronts are blue, backs are sand-coloured.
-[[nodiscard]] FaceShade face_shade(const CutMesh& mesh, const Camera& camera, FacetId facet, Facing facing);
+[[nodiscard]] FaceShade face_shade(const CutMesh& mesh, const Camera& camera, FacetId facet, FacetFacing facing);
 
 }  // namespace sightline::inline formats

@@ -1,8 +1,8 @@
 // A text that grows: numbers are appended without locale, allocation or format strings, because writing must not take
 // longer than computing.
 //
-// In:  where the text goes: nowhere (take() has all of it), or to a sink, in pieces, so that a large one is never in
-//      memory as a whole and each piece is written while it is in the processor's cache.
+// In:  where the text goes: nowhere (take() has all of it), or to a sink, in portions, so that a large one is never in
+//      memory as a whole and each portion is written while it is in the processor's cache.
 #pragma once
 
 #include <charconv>

@@ -50,16 +50,16 @@ void write_rings(const VisibleSegments& segments, const VisiblePolygons& polygon
   }
 }
 
-void write_names(FaceId face, std::size_t occurrence, Facing facing, TextBuffer& out) {
+void write_names(FaceId face, std::size_t occurrence, FacetFacing facing, TextBuffer& out) {
   out << "<path id=\"face-" << face.value;
   if (occurrence > 1) out << '-' << std::uint64_t{occurrence};
-  out << "\" class=\"" << (facing == Facing::back ? "back" : "front") << "\" data-face=\"" << face.value << '"';
+  out << "\" class=\"" << (facing == FacetFacing::back ? "back" : "front") << "\" data-face=\"" << face.value << '"';
 }
 
 void write_polygon(const View& view, const VisiblePolygon& polygon, std::size_t occurrence, const PlaceTexts& places,
                    TextBuffer& out) {
   const CutMesh& mesh = view.scene.mesh();
-  const Facing facing = view.scene.facing[polygon.facet.index()];
+  const FacetFacing facing = view.scene.facing[polygon.facet.index()];
   const FaceShade shade = face_shade(mesh, view.scene.camera, polygon.facet, facing);
   write_names(polygon.face, occurrence, facing, out);
   out << " fill=\"";

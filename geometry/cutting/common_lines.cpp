@@ -8,7 +8,7 @@
 
 #include "geometry/cutting/facet_cutter.h"
 #include "geometry/cutting/line_points.h"
-#include "geometry/mesh/face_shape.h"
+#include "geometry/faces/face_shape.h"
 #include "geometry/mesh/facet_plane.h"
 #include "geometry/mesh/mesh_topology.h"
 #include "geometry/numbers/mix.h"
@@ -50,7 +50,7 @@ std::vector<CrossedFacet> crossed_facets(const Mesh& mesh, const MeshContacts& c
     facets.push_back({f,
                       plane_through(exact_position(mesh.position(a)), exact_position(mesh.position(b)),
                                     exact_position(mesh.position(c))),
-                      whole_polygon(mesh, f),
+                      facet_polygon(mesh, f),
                       fingerprint(mesh, f),
                       {}});
   }
@@ -168,7 +168,7 @@ class Cutting {
       for (const CutPolygon& piece : crossed.pieces(i)) pieces_[crossed.facet(i).index()].push_back(numbered(piece));
     }
     for (const auto& [f, g] : contacts.crossing)
-      result_.cuts.crossing.push_back({WholeId(f.index()), WholeId(g.index())});
+      result_.cuts.crossing.push_back({UncutFacetId(f.index()), UncutFacetId(g.index())});
   }
 
   CutMesh build() {
@@ -197,7 +197,7 @@ class Cutting {
     result_.faces = mesh_.faces;
     result_.face_planar = mesh_.face_planar;
     result_.defects = mesh_.defects;
-    result_.cuts.wholes = mesh_.facets;
+    result_.cuts.uncut_facets = mesh_.facets;
   }
 
   void add_vertices() {
@@ -234,16 +234,16 @@ class Cutting {
       result_.face_facet.emplace_back(result_.facets.size());
       for (std::size_t f = mesh_.first_facet(FaceId(face)); f < mesh_.end_facet(FaceId(face)); ++f) {
         result_.cuts.first_facet.emplace_back(result_.facets.size());
-        add_whole(FacetId(f), points);
+        add_uncut(FacetId(f), points);
         result_.facet_face.resize(result_.facets.size(), FaceId(face));
-        result_.cuts.whole_of.resize(result_.facets.size(), WholeId(f));
+        result_.cuts.uncut_facet_of.resize(result_.facets.size(), UncutFacetId(f));
       }
     }
     result_.face_facet.emplace_back(result_.facets.size());
     result_.cuts.first_facet.emplace_back(result_.facets.size());
   }
 
-  void add_whole(FacetId f, const LinePoints& points) {
+  void add_uncut(FacetId f, const LinePoints& points) {
     if (pieces_[f.index()].empty()) {
       const auto corners = mesh_.corners(f);
       const auto edges = mesh_.edges_of(f);

@@ -100,11 +100,11 @@ CutPolygon polygon_of(const PolygonMesh& mesh, FacetId facet, Position position)
 
 }  // namespace
 
-CutPolygon whole_polygon(const Mesh& mesh, FacetId facet) {
+CutPolygon facet_polygon(const Mesh& mesh, FacetId facet) {
   return polygon_of(mesh, facet, [&](VertexId v) { return exact_position(mesh.position(v)); });
 }
 
-CutPolygon whole_polygon(const CutMesh& mesh, FacetId facet) {
+CutPolygon facet_polygon(const CutMesh& mesh, FacetId facet) {
   return polygon_of(mesh, facet, [&](VertexId v) { return exact_position(mesh, v); });
 }
 

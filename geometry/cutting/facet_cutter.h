@@ -17,7 +17,7 @@
 
 namespace sightline::inline geometry {
 
-// A chord is a piece of a line; its ends are in lexicographic order.
+// A chord is a segment of a line; its ends are in lexicographic order.
 struct Chord {
   ExactPosition low;
   ExactPosition high;
@@ -35,8 +35,8 @@ struct CutCorner {
 };
 using CutPolygon = std::vector<CutCorner>;
 
-[[nodiscard]] CutPolygon whole_polygon(const Mesh& mesh, FacetId facet);
-[[nodiscard]] CutPolygon whole_polygon(const CutMesh& mesh, FacetId facet);
+[[nodiscard]] CutPolygon facet_polygon(const Mesh& mesh, FacetId facet);
+[[nodiscard]] CutPolygon facet_polygon(const CutMesh& mesh, FacetId facet);
 
 // Returns the part of a convex polygon in front of a plane; it is empty where nothing is strictly in front.
 [[nodiscard]] CutPolygon part_in_front(const CutPolygon& polygon, const ExactPlane& plane);

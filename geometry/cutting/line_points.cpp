@@ -22,8 +22,9 @@ std::array<BigInteger, N> in_lowest_terms(std::array<BigInteger, N> numbers) {
 LinePoints::Plucker LinePoints::line_through(VertexId from, VertexId to) const {
   const ExactPosition p = exact_position(mesh_, from);
   const ExactPosition q = exact_position(mesh_, to);
-  return in_lowest_terms(Plucker{q.x * p.w - p.x * q.w, q.y * p.w - p.y * q.w, q.z * p.w - p.z * q.w,
-                                 p.y * q.z - p.z * q.y, p.z * q.x - p.x * q.z, p.x * q.y - p.y * q.x});
+  const ExactVector direction = p.w * q.xyz - q.w * p.xyz;
+  const ExactVector moment = cross(p.xyz, q.xyz);
+  return in_lowest_terms(Plucker{direction.x(), direction.y(), direction.z(), moment.x(), moment.y(), moment.z()});
 }
 
 void LinePoints::add(MeshEdgeId edge, VertexId from, VertexId to) {

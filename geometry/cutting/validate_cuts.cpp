@@ -23,7 +23,7 @@ class CutsCheck {
     if (!messages_.empty()) return;
     check_points();
     for (std::size_t f = 0; f < mesh_.facet_count(); ++f) check_piece(FacetId(f));
-    for (std::size_t w = 0; w < cuts_.wholes.size(); ++w) check_border(WholeId(w));
+    for (std::size_t w = 0; w < cuts_.uncut_facets.size(); ++w) check_border(UncutFacetId(w));
     for (const auto& [a, b] : cuts_.crossing) {
       check_apart(a, b);
       check_apart(b, a);
@@ -37,8 +37,9 @@ class CutsCheck {
 
   void check_sizes() {
     require(cuts_.points.size() <= mesh_.vertices.size(), "cuts: more points than vertices");
-    require(cuts_.whole_of.size() == mesh_.facet_count(), "cuts: not one whole per facet");
-    require(cuts_.first_facet.size() == cuts_.wholes.size() + 1, "cuts: not one first facet per whole and one more");
+    require(cuts_.uncut_facet_of.size() == mesh_.facet_count(), "cuts: not one uncut facet per facet");
+    require(cuts_.first_facet.size() == cuts_.uncut_facets.size() + 1,
+            "cuts: not one first facet per uncut facet and one more");
     require(cuts_.input_edge.size() == mesh_.edges.size(), "cuts: not one edge of the input per mesh edge");
   }
 
@@ -50,7 +51,7 @@ class CutsCheck {
     for (std::size_t i = 0; i < cuts_.points.size(); ++i) {
       const VertexId v(mesh_.input_vertex_count() + i);
       const ExactPosition& p = cuts_.points[i];
-      require(p.w > 0 && gcd(gcd(p.x, p.y), gcd(p.z, p.w)) == 1, name(v) + " is not in lowest terms");
+      require(p.w > 0 && gcd(gcd(p.xyz.x(), p.xyz.y()), gcd(p.xyz.z(), p.w)) == 1, name(v) + " is not in lowest terms");
       require(mesh_.position(v) == p.rounded(), name(v) + " is not its exact position rounded");
     }
   }
@@ -60,13 +61,13 @@ class CutsCheck {
     return plane_through(exact_position(mesh_, a), exact_position(mesh_, b), exact_position(mesh_, c));
   }
 
-  // A piece has to be planar, convex, and turned as the whole is: seen along an axis, it turns to one side only and
+  // A piece has to be planar, convex, and turned as the uncut facet is: seen along an axis, it turns to one side only and
   // runs up once.
   void check_piece(FacetId f) {
-    const CutPolygon polygon = whole_polygon(mesh_, f);
+    const CutPolygon polygon = facet_polygon(mesh_, f);
     const ExactPlane plane = plane_of(f);
-    const int axis = plane.a != 0 ? 0 : plane.b != 0 ? 1 : 2;
-    const Sign turn = sign_of(axis == 0 ? plane.a : axis == 1 ? plane.b : plane.c);
+    const int axis = plane.normal.x() != 0 ? 0 : plane.normal.y() != 0 ? 1 : 2;
+    const Sign turn = sign_of(plane.normal[axis]);
     bool planar = true;
     bool convex = true;
     int rises = 0;
@@ -78,12 +79,12 @@ class CutsCheck {
       convex = convex && orientation_without(axis, a, b, c) * turn >= 0;
       rises += lexicographic_order(a, b) > 0 && lexicographic_order(b, c) < 0 ? 1 : 0;
     }
-    require(planar, name(f) + " is not in the plane of its whole");
+    require(planar, name(f) + " is not in the plane of its uncut facet");
     require(convex && rises == 1, name(f) + " is not convex");
   }
 
-  // Each edge of a whole's pieces has two of them, in opposite directions, or is on a side of the whole.
-  void check_border(WholeId w) {
+  // Each edge of an uncut facet's pieces has two of them, in opposite directions, or is on a side of it.
+  void check_border(UncutFacetId w) {
     std::map<MeshEdgeId, std::vector<int>> directions;
     for (std::size_t f = cuts_.first_facet[w.index()].index(); f < cuts_.first_facet[w.index() + 1].index(); ++f) {
       const auto corners = mesh_.corners(FacetId(f));
@@ -99,8 +100,8 @@ class CutsCheck {
     }
   }
 
-  [[nodiscard]] bool is_on_side(WholeId w, MeshEdgeId edge) const {
-    const auto corners = cuts_.wholes[w.index()];
+  [[nodiscard]] bool is_on_side(UncutFacetId w, MeshEdgeId edge) const {
+    const auto corners = cuts_.uncut_facets[w.index()];
     for (std::size_t i = 0; i < corners.size(); ++i) {
       const auto on_line = [&](VertexId v) {
         return collinear(mesh_, corners[i], corners[(i + 1) % corners.size()], v);
@@ -111,19 +112,20 @@ class CutsCheck {
   }
 
   // No piece of a may be passed through by b.
-  void check_apart(WholeId a, WholeId b) {
+  void check_apart(UncutFacetId a, UncutFacetId b) {
     const ExactPlane plane = plane_of(cuts_.first_facet[b.index()]);
-    const CutPolygon other = whole_of(b);
+    const CutPolygon other = polygon_of(b);
     const Chord chord = meet(other, plane_of(cuts_.first_facet[a.index()]));
     for (std::size_t f = cuts_.first_facet[a.index()].index(); f < cuts_.first_facet[a.index() + 1].index(); ++f) {
-      require(!passes_through(plane, chord, whole_polygon(mesh_, FacetId(f))),
+      require(!passes_through(plane, chord, facet_polygon(mesh_, FacetId(f))),
               name(FacetId(f)) + " is passed through by " + name(b));
     }
   }
 
-  [[nodiscard]] CutPolygon whole_of(WholeId w) const {
+  [[nodiscard]] CutPolygon polygon_of(UncutFacetId w) const {
     CutPolygon polygon;
-    for (const VertexId v : cuts_.wholes[w.index()]) polygon.push_back({exact_position(mesh_, v), v, MeshEdgeId{}});
+    for (const VertexId v : cuts_.uncut_facets[w.index()])
+      polygon.push_back({exact_position(mesh_, v), v, MeshEdgeId{}});
     return polygon;
   }
 

@@ -6,6 +6,7 @@
 
 #include "geometry/mesh/box_hierarchy.h"
 #include "geometry/mesh/convex_facet.h"
+#include "geometry/numbers/bounded.h"
 
 namespace sightline::inline geometry {
 namespace {
@@ -52,38 +53,6 @@ void for_each_triangle(const PolygonMesh& mesh, std::span<const FacetId> compone
     }
   }
 }
-
-// This is a sum of determinants in double. Each is evaluated as predicates.cpp does for orient3d, so its error is at
-// most 8 u times its permanent p as computed, if no difference reaches 2^340, and 2^-700 for underflow. Adding up N of
-// them adds at most N u (1 + 2^-19) times the sum of |determinant| <= (1 + 8 u) p, and the computed sum of the p is at
-// least (1 - 2^-20) of the true one, since N < 2^32 and u = 2^-53. All in all the error is less than 2 (N + 8) u times
-// the computed sum of the p, and N 2^-700 < 2^-660.
-class VolumeEstimate {
- public:
-  void add(const Vector3& u, const Vector3& v, const Vector3& w) {
-    const Vector3 left{v.y() * w.z(), v.z() * w.x(), v.x() * w.y()};
-    const Vector3 right{v.z() * w.y(), v.x() * w.z(), v.y() * w.x()};
-    const Vector3 terms = u.cwiseProduct(left - right);
-    const Vector3 magnitudes = u.cwiseAbs().cwiseProduct(left.cwiseAbs() + right.cwiseAbs());
-    sum_ += (terms.x() + terms.y()) + terms.z();
-    permanents_ += (magnitudes.x() + magnitudes.y()) + magnitudes.z();
-    largest_ = std::max({largest_, largest_coordinate(u), largest_coordinate(v), largest_coordinate(w)});
-    ++count_;
-  }
-
-  [[nodiscard]] std::optional<Sign> sign() const {
-    const double bound = 2 * (count_ + 8) * 0x1p-53 * permanents_ + 0x1p-660;
-    if (largest_ < 0x1p340 && sum_ > bound) return 1;
-    if (largest_ < 0x1p340 && sum_ < -bound) return -1;
-    return std::nullopt;
-  }
-
- private:
-  double sum_ = 0;
-  double permanents_ = 0;
-  double largest_ = 0;
-  double count_ = 0;
-};
 
 int lowest_exponent(const PolygonMesh& mesh, std::span<const FacetId> component) {
   std::vector<double> coordinates;
@@ -168,11 +137,14 @@ std::vector<Component> components(const PolygonMesh& mesh) {
 // where the component is closed.
 Sign volume_sign(const PolygonMesh& mesh, std::span<const FacetId> component) {
   const Point3& origin = mesh.position(mesh.corners(component.front()).front());
-  VolumeEstimate estimate;
+  Bounded estimate;
   for_each_triangle(mesh, component, [&](const Point3& a, const Point3& b, const Point3& c) {
-    estimate.add(a - origin, b - origin, c - origin);
+    const BoundedVector u = bounded(a) - bounded(origin);
+    const BoundedVector v = bounded(b) - bounded(origin);
+    const BoundedVector w = bounded(c) - bounded(origin);
+    estimate += u.dot(v.cross(w));
   });
-  const auto sign = estimate.sign();
+  const auto sign = certain_sign(estimate);
   return sign ? *sign : exact_volume_sign(mesh, component);
 }
 

@@ -12,23 +12,38 @@
 
 namespace sightline::inline geometry {
 
-// What is known of the facets before they were cut, the wholes. All of it is empty where nothing was cut.
+// What is known of the uncut facets. All of it is empty where nothing was cut.
 struct FacetCuts {
-  std::vector<ExactPosition> points;             // the exact positions of the vertices behind those of the input
-  PolygonList wholes;                            // the facets before, all of them; corners are the input's vertices
-  std::vector<WholeId> whole_of;                 // per facet
-  std::vector<FacetId> first_facet;              // per whole, and one past the end
-  std::vector<std::array<WholeId, 2>> crossing;  // those that pass through each other: smaller id first; sorted
-  // Per mesh edge: the ends of the input's edge that it is a piece of; invalid where it lies on a common line.
+  std::vector<ExactPosition> points;         // the exact positions of the vertices behind those of the input
+  PolygonList uncut_facets;                  // the facets before, all of them; corners are the input's vertices
+  std::vector<UncutFacetId> uncut_facet_of;  // per facet
+  std::vector<FacetId> first_facet;          // per uncut facet, and one past the end
+  std::vector<std::array<UncutFacetId, 2>> crossing;  // those that pass through each other: smaller id first; sorted
+  // Per mesh edge: the ends of the input's edge that it is on; invalid where it lies on a common line.
   std::vector<std::array<VertexId, 2>> input_edge;
 };
 
 struct CutMesh : PolygonMesh {
   FacetCuts cuts;
 
-  [[nodiscard]] bool is_cut() const { return !cuts.whole_of.empty(); }
+  [[nodiscard]] bool is_cut() const { return !cuts.uncut_facet_of.empty(); }
   [[nodiscard]] std::size_t input_vertex_count() const { return vertices.size() - cuts.points.size(); }
-  [[nodiscard]] std::size_t whole_count() const { return is_cut() ? cuts.wholes.size() : facets.size(); }
+
+  // An uncut facet is a facet as it was before cutting. Where nothing was cut these are the facets, by the same numbers.
+  [[nodiscard]] std::size_t uncut_facet_count() const { return is_cut() ? cuts.uncut_facets.size() : facets.size(); }
+  [[nodiscard]] UncutFacetId uncut_facet(FacetId f) const {
+    return is_cut() ? cuts.uncut_facet_of[f.index()] : UncutFacetId(f.index());
+  }
+  [[nodiscard]] std::span<const VertexId> uncut_corners(UncutFacetId u) const {
+    return is_cut() ? cuts.uncut_facets[u.index()] : corners(FacetId(u.index()));
+  }
+  // The pieces of an uncut facet are consecutive: [first_piece, end_piece).
+  [[nodiscard]] FacetId first_piece(UncutFacetId u) const {
+    return is_cut() ? cuts.first_facet[u.index()] : FacetId(u.index());
+  }
+  [[nodiscard]] FacetId end_piece(UncutFacetId u) const {
+    return is_cut() ? cuts.first_facet[u.index() + 1] : FacetId(u.index() + 1);
+  }
 };
 
 // The mesh as it is, for a caller who knows that none of its facets pass through each other, or who accepts that where

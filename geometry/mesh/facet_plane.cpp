@@ -13,8 +13,7 @@ std::array<VertexId, 3> plane_corners(const PolygonMesh& mesh, std::span<const V
 }
 
 std::array<VertexId, 3> plane_corners(const CutMesh& mesh, FacetId facet) {
-  return plane_corners(
-      mesh, mesh.is_cut() ? mesh.cuts.wholes[mesh.cuts.whole_of[facet.index()].index()] : mesh.corners(facet));
+  return plane_corners(mesh, mesh.uncut_corners(mesh.uncut_facet(facet)));
 }
 
 Sign side_of_plane(const CutMesh& mesh, FacetId facet, const HomogeneousPoint& p) {

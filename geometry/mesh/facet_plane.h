@@ -11,7 +11,7 @@ namespace sightline::inline geometry {
 // Three corners of a convex polygon that are not on one line, the first of all, in its orientation.
 [[nodiscard]] std::array<VertexId, 3> plane_corners(const PolygonMesh& mesh, std::span<const VertexId> corners);
 
-// Returns three corners of the facet (where it was cut: of the whole it is a piece of) that are not on one line, in its
+// Returns three corners of the facet (where it was cut: of the uncut facet it is a piece of) that are not on one line, in its
 // orientation; a facet is convex and not degenerate, so they exist.
 [[nodiscard]] std::array<VertexId, 3> plane_corners(const CutMesh& mesh, FacetId facet);
 
@@ -19,20 +19,19 @@ namespace sightline::inline geometry {
 [[nodiscard]] Sign side_of_plane(const CutMesh& mesh, FacetId facet, const HomogeneousPoint& p);
 
 // Returns the surface a facet belongs to, named by its first facet: all of its face where that is planar, else the
-// whole it was cut from, else the facet alone. What is visible of one surface is described by polygons of its own.
+// uncut facet it was cut from, else the facet alone. What is visible of one surface is described by polygons of its own.
 [[nodiscard]] inline FacetId surface_of(const CutMesh& mesh, FacetId facet) {
   if (!facet.valid()) return facet;
   const FaceId face = mesh.facet_face[facet.index()];
   if (mesh.face_planar[face.index()] != 0) return FacetId(mesh.first_facet(face));
-  return mesh.is_cut() ? mesh.cuts.first_facet[mesh.cuts.whole_of[facet.index()].index()] : facet;
+  return mesh.first_piece(mesh.uncut_facet(facet));
 }
 
 // Returns one past the last facet of a surface, which is named by its first facet.
 [[nodiscard]] inline FacetId end_of_surface(const CutMesh& mesh, FacetId surface) {
   const FaceId face = mesh.facet_face[surface.index()];
   if (mesh.face_planar[face.index()] != 0) return FacetId(mesh.end_facet(face));
-  return mesh.is_cut() ? mesh.cuts.first_facet[mesh.cuts.whole_of[surface.index()].index() + 1]
-                       : FacetId(surface.index() + 1);
+  return mesh.end_piece(mesh.uncut_facet(surface));
 }
 
 }  // namespace sightline::inline geometry

@@ -5,8 +5,8 @@
 #include <optional>
 #include <stdexcept>
 
-#include "geometry/mesh/face_shape.h"
-#include "geometry/mesh/face_triangulation.h"
+#include "geometry/faces/face_shape.h"
+#include "geometry/faces/face_triangulation.h"
 #include "geometry/mesh/mesh_topology.h"
 #include "geometry/mesh/shared_corners.h"
 #include "geometry/numbers/predicates.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "geometry/mesh/face_shape.h"
+#include "geometry/faces/face_shape.h"
 
 namespace sightline::inline geometry {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "geometry/mesh/face_shape.h"
+#include "geometry/faces/face_shape.h"
 
 namespace sightline::inline geometry {
 
@@ -16,9 +16,9 @@ using CornersInside = std::map<Ends, std::vector<VertexId>>;  // lexicographical
 // A border that touches itself and has fewer corners than this has a spike.
 constexpr std::size_t fewest_corners = 5;
 
-class Sharing {
+class CornerSharer {
  public:
-  Sharing(PolygonList& outlines, std::span<const Point3> vertices, const Welding& welding)
+  CornerSharer(PolygonList& outlines, std::span<const Point3> vertices, const Welding& welding)
       : outlines_(outlines), vertices_(vertices), welding_(welding) {}
 
   void run() {
@@ -88,7 +88,7 @@ class Sharing {
 }  // namespace
 
 void share_corners(PolygonList& outlines, std::span<const Point3> vertices, const Welding& welding) {
-  Sharing(outlines, vertices, welding).run();
+  CornerSharer(outlines, vertices, welding).run();
 }
 
 }  // namespace sightline::inline geometry

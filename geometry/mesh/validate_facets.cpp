@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <map>
 
-#include "geometry/mesh/face_shape.h"
-#include "geometry/mesh/face_triangulation.h"
+#include "geometry/faces/face_shape.h"
+#include "geometry/faces/face_triangulation.h"
 #include "geometry/numbers/id_names.h"
 
 namespace sightline::inline geometry {

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/mesh/face_shape.h"
+#include "geometry/faces/face_shape.h"
 #include "geometry/mesh/mesh.h"
 #include "geometry/mesh/validate_facets.h"
 #include "geometry/numbers/id_names.h"

@@ -5,62 +5,70 @@
 namespace sightline::inline geometry {
 namespace {
 
-using Triple = std::array<BigInteger, 3>;
+BigInteger common_divisor(const ExactVector& v, const BigInteger& other) {
+  return gcd(gcd(v.x(), v.y()), gcd(v.z(), other));
+}
+
+ExactVector quotient(const ExactVector& v, const BigInteger& divisor) {
+  return {v.x() / divisor, v.y() / divisor, v.z() / divisor};
+}
 
 ExactPosition in_lowest_terms(ExactPosition p) {
-  BigInteger divisor = gcd(gcd(p.x, p.y), gcd(p.z, p.w));
+  BigInteger divisor = common_divisor(p.xyz, p.w);
   if (p.w < 0) divisor = -divisor;
   if (divisor == 1) return p;
-  return {p.x / divisor, p.y / divisor, p.z / divisor, p.w / divisor};
+  return {quotient(p.xyz, divisor), p.w / divisor};
 }
 
 // Returns q - p, up to the positive factor p.w * q.w.
-Triple difference(const ExactPosition& p, const ExactPosition& q) {
-  return {q.x * p.w - p.x * q.w, q.y * p.w - p.y * q.w, q.z * p.w - p.z * q.w};
-}
-
-Triple cross(const Triple& u, const Triple& v) {
-  return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-}
+ExactVector difference(const ExactPosition& p, const ExactPosition& q) { return p.w * q.xyz - q.w * p.xyz; }
 
 // Returns the plane through p with this normal.
-ExactPlane plane_with_normal(const ExactPosition& p, const Triple& normal) {
-  const BigInteger height = normal[0] * p.x + normal[1] * p.y + normal[2] * p.z;
-  ExactPlane plane{normal[0] * p.w, normal[1] * p.w, normal[2] * p.w, -height};
-  const BigInteger divisor = gcd(gcd(plane.a, plane.b), gcd(plane.c, plane.d));
-  if (divisor > 1) {
-    for (BigInteger* coefficient : {&plane.a, &plane.b, &plane.c, &plane.d}) *coefficient /= divisor;
-  }
-  return plane;
+ExactPlane plane_with_normal(const ExactPosition& p, const ExactVector& normal) {
+  const ExactPlane plane{p.w * normal, -dot(normal, p.xyz)};
+  const BigInteger divisor = common_divisor(plane.normal, plane.offset);
+  return divisor > 1 ? ExactPlane{quotient(plane.normal, divisor), plane.offset / divisor} : plane;
+}
+
+ExactVector integers(const Vector3& v) {
+  const std::array values{v.x(), v.y(), v.z()};
+  const auto scaled_values = scaled<BigInteger>(values, exponent_range(values).lowest);
+  return {scaled_values[0], scaled_values[1], scaled_values[2]};
 }
 
 }  // namespace
 
+BigInteger dot(const ExactVector& u, const ExactVector& v) { return u.x() * v.x() + u.y() * v.y() + u.z() * v.z(); }
+
+ExactVector cross(const ExactVector& u, const ExactVector& v) {
+  return {u.y() * v.z() - u.z() * v.y(), u.z() * v.x() - u.x() * v.z(), u.x() * v.y() - u.y() * v.x()};
+}
+
 Point3 ExactPosition::rounded() const {
-  return {rounded_quotient(x, w), rounded_quotient(y, w), rounded_quotient(z, w)};
+  return {rounded_quotient(xyz.x(), w), rounded_quotient(xyz.y(), w), rounded_quotient(xyz.z(), w)};
 }
 
 ExactPosition exact_position(const Point3& p) {
   const std::array values{p.x(), p.y(), p.z(), 1.0};
   const auto scaled_values = scaled<BigInteger>(values, exponent_range(values).lowest);
-  return in_lowest_terms({scaled_values[0], scaled_values[1], scaled_values[2], scaled_values[3]});
+  return in_lowest_terms({{scaled_values[0], scaled_values[1], scaled_values[2]}, scaled_values[3]});
 }
 
 Sign lexicographic_order(const ExactPosition& a, const ExactPosition& b) {
-  for (const auto coordinate : {&ExactPosition::x, &ExactPosition::y, &ExactPosition::z}) {
-    const Sign order = sign_of(BigInteger(a.*coordinate * b.w - b.*coordinate * a.w));
-    if (order != 0) return order;
+  const ExactVector way = difference(b, a);
+  for (const BigInteger& coordinate : way) {
+    if (coordinate != 0) return sign_of(coordinate);
   }
   return 0;
 }
 
 bool collinear(const ExactPosition& a, const ExactPosition& b, const ExactPosition& c) {
-  const Triple normal = cross(difference(a, b), difference(a, c));
-  return normal[0] == 0 && normal[1] == 0 && normal[2] == 0;
+  const ExactVector normal = cross(difference(a, b), difference(a, c));
+  return normal.x() == 0 && normal.y() == 0 && normal.z() == 0;
 }
 
 Sign orientation_without(int axis, const ExactPosition& a, const ExactPosition& b, const ExactPosition& c) {
-  return sign_of(cross(difference(a, b), difference(a, c))[static_cast<std::size_t>(axis)]);
+  return sign_of(cross(difference(a, b), difference(a, c))[axis]);
 }
 
 ExactPlane plane_through(const ExactPosition& p, const ExactPosition& q, const ExactPosition& r) {
@@ -68,18 +76,14 @@ ExactPlane plane_through(const ExactPosition& p, const ExactPosition& q, const E
 }
 
 ExactPlane plane_towards(const ExactPosition& p, const ExactPosition& q, const Vector3& direction) {
-  const std::array values{direction.x(), direction.y(), direction.z()};
-  return plane_with_normal(p, cross(difference(p, q), scaled<BigInteger>(values, exponent_range(values).lowest)));
+  return plane_with_normal(p, cross(difference(p, q), integers(direction)));
 }
 
 ExactPosition intersection(const ExactPlane& plane, const ExactPosition& p, const ExactPosition& q) {
   const BigInteger at_p = plane.height(p);
   const BigInteger at_q = plane.height(q);
-  const auto blend = [&](const BigInteger& of_p, const BigInteger& of_q) {
-    return BigInteger(of_q * at_p - of_p * at_q);
-  };
   // With the sign of at_p the factors of p and q are positive.
-  return in_lowest_terms({blend(p.x, q.x), blend(p.y, q.y), blend(p.z, q.z), blend(p.w, q.w)});
+  return in_lowest_terms({at_p * q.xyz - at_q * p.xyz, at_p * q.w - at_q * p.w});
 }
 
 }  // namespace sightline::inline geometry

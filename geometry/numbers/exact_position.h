@@ -1,7 +1,7 @@
 // Points and planes of space, exact: what cutting computes.
 //
-// A position is (x, y, z) / w in integers of any size, in lowest terms with w > 0: equal points have equal numbers. A
-// plane is a form (a, b, c, d) that is positive on its front side. Both come from finite doubles.
+// A position is xyz / w in integers of any size, in lowest terms with w > 0: equal points have equal numbers. A plane is
+// a form, normal . xyz + offset w, that is positive on its front side. Both come from finite doubles.
 // Complexity: the numbers of a point that lies in three planes of the input have about 10 times the bits that the
 // input's coordinates have as integers over a common power of two; a greatest common divisor after each construction
 // keeps them there.
@@ -13,8 +13,15 @@
 
 namespace sightline::inline geometry {
 
+using ExactVector = Eigen::Matrix<BigInteger, 3, 1>;
+
+// Not Eigen's, which evaluate a Boost number's expressions after the numbers in them are gone.
+[[nodiscard]] SIGHTLINE_EXPORT BigInteger dot(const ExactVector& u, const ExactVector& v);
+[[nodiscard]] SIGHTLINE_EXPORT ExactVector cross(const ExactVector& u, const ExactVector& v);
+
 struct ExactPosition {
-  BigInteger x, y, z, w;
+  ExactVector xyz;
+  BigInteger w;
   friend bool operator==(const ExactPosition&, const ExactPosition&) = default;
 
   // Returns the position with each coordinate rounded once.
@@ -33,13 +40,14 @@ struct ExactPosition {
                                                         const ExactPosition& c);
 
 struct ExactPlane {
-  BigInteger a, b, c, d;
+  ExactVector normal;
+  BigInteger offset;
 
-  // Returns, up to a positive factor, the height of p over the plane: it is > 0 where a, b, c are seen
-  // counter-clockwise from p.
-  [[nodiscard]] BigInteger height(const ExactPosition& p) const { return a * p.x + b * p.y + c * p.z + d * p.w; }
+  // Returns, up to a positive factor, the height of p over the plane: it is > 0 where the points
+  // that it was made of are seen counter-clockwise from p.
+  [[nodiscard]] BigInteger height(const ExactPosition& p) const { return dot(normal, p.xyz) + offset * p.w; }
   [[nodiscard]] Sign side(const ExactPosition& p) const { return sign_of(height(p)); }
-  [[nodiscard]] ExactPlane turned() const { return {-a, -b, -c, -d}; }
+  [[nodiscard]] ExactPlane turned() const { return {-normal, -offset}; }
 };
 
 // The first is the plane of three points that are not on one line, the second that of two points and a direction that

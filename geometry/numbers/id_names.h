@@ -11,7 +11,7 @@ namespace sightline::inline geometry {
 [[nodiscard]] inline std::string name(FacetId f) { return "facet " + std::to_string(f.value); }
 [[nodiscard]] inline std::string name(VertexId v) { return "vertex " + std::to_string(v.value); }
 [[nodiscard]] inline std::string name(MeshEdgeId e) { return "mesh edge " + std::to_string(e.value); }
-[[nodiscard]] inline std::string name(WholeId w) { return "whole " + std::to_string(w.value); }
+[[nodiscard]] inline std::string name(UncutFacetId u) { return "uncut facet " + std::to_string(u.value); }
 [[nodiscard]] inline std::string name(PointId p) { return "point " + std::to_string(p.value); }
 [[nodiscard]] inline std::string name(EdgeId e) { return "edge " + std::to_string(e.value); }
 [[nodiscard]] inline std::string name(SegmentId s) { return "segment " + std::to_string(s.value); }

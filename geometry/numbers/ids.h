@@ -25,7 +25,7 @@ struct Id {
 using VertexId = Id<struct VertexTag>;          // a vertex of the input, in file order
 using FaceId = Id<struct FaceTag>;              // a face of the input, in file order
 using FacetId = Id<struct FacetTag>;            // a convex planar piece of a face
-using WholeId = Id<struct WholeTag>;            // a facet before it was cut along common lines
+using UncutFacetId = Id<struct UncutFacetTag>;  // a facet before it was cut along common lines
 using MeshEdgeId = Id<struct MeshEdgeTag>;      // an edge of the mesh, by position of its ends
 using PointId = Id<struct PointTag>;            // a point of the image: see image_point.h
 using MadeCornerId = Id<struct MadeCornerTag>;  // a corner that clipping made

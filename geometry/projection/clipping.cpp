@@ -41,7 +41,7 @@ class CommonScale {
   [[nodiscard]] ExactCorner corner(const CutMesh& mesh, VertexId v) const {
     if (v.index() < mesh.input_vertex_count()) return corner(mesh.position(v));
     const ExactPosition p = exact_position(mesh, v);
-    return corner(forms_.unit * Vector(p.x, p.y, p.z), p.w);
+    return corner(forms_.unit * p.xyz, p.w);
   }
 
  private:

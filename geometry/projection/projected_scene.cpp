@@ -33,13 +33,13 @@ std::vector<ProjectedVertex> project_vertices(const CutMesh& mesh, const Camera&
 }
 
 // A facet that is edge-on is edge-on in any arithmetic: clipping needs that.
-Facing facing_of(const CutMesh& mesh, const Camera& camera, FacetId facet, Arithmetic arithmetic) {
+FacetFacing facing_of(const CutMesh& mesh, const Camera& camera, FacetId facet, Arithmetic arithmetic) {
   Sign side = side_of_plane(mesh, facet, camera.eye);
   if (arithmetic != Arithmetic::exact && side != 0) {
     const auto [a, b, c] = plane_corners(mesh, facet);
     side = unfiltered::orient3d(arithmetic, mesh.position(a), mesh.position(b), mesh.position(c), camera.eye);
   }
-  return side > 0 ? Facing::front : (side < 0 ? Facing::back : Facing::edge_on);
+  return side > 0 ? FacetFacing::front : (side < 0 ? FacetFacing::back : FacetFacing::edge_on);
 }
 
 struct OutcodeSummary {
@@ -110,7 +110,7 @@ class SceneBuilder {
       for (std::size_t f = begin; f < end; ++f) {
         scene_.facing[f] = facing_of(mesh_, scene_.camera, FacetId(f), scene_.arithmetic);
         scene_.status[f] = status_of(FacetId(f));
-        if (scene_.status[f] == Status::in_view)
+        if (scene_.status[f] == FacetStatus::in_view)
           scene_.polygon_begin[f + 1] = count_corners(FacetId(f), clipped_[range]);
       }
     });
@@ -118,11 +118,11 @@ class SceneBuilder {
   }
 
   // The status of a facet that is in view may still change when it is clipped.
-  [[nodiscard]] Status status_of(FacetId f) const {
-    const Facing facing = scene_.facing[f.index()];
-    if (facing == Facing::edge_on) return Status::edge_on;
-    if (facing == Facing::back && scene_.sides_shown == Sides::front) return Status::culled;
-    return summarize(mesh_.corners(f), projected_).none_inside ? Status::out_of_view : Status::in_view;
+  [[nodiscard]] FacetStatus status_of(FacetId f) const {
+    const FacetFacing facing = scene_.facing[f.index()];
+    if (facing == FacetFacing::edge_on) return FacetStatus::edge_on;
+    if (facing == FacetFacing::back && scene_.sides_shown == Sides::front) return FacetStatus::culled;
+    return summarize(mesh_.corners(f), projected_).none_inside ? FacetStatus::out_of_view : FacetStatus::in_view;
   }
 
   [[nodiscard]] std::uint32_t count_corners(FacetId f, std::vector<Clipped>& clipped) {
@@ -130,7 +130,7 @@ class SceneBuilder {
     clipped.push_back({f, {}});
     for (const ExactCorner& corner : clip(mesh_, scene_.camera, f))
       clipped.back().polygon.push_back(rounded(corner, f));
-    if (clipped.back().polygon.empty()) scene_.status[f.index()] = Status::out_of_view;
+    if (clipped.back().polygon.empty()) scene_.status[f.index()] = FacetStatus::out_of_view;
     return static_cast<std::uint32_t>(clipped.back().polygon.size());
   }
 
@@ -153,7 +153,7 @@ class SceneBuilder {
       for (std::size_t f = begin; f < end; ++f) {
         if (clipped != clipped_[range].end() && clipped->facet.index() == f) {
           add_clipped(*clipped++, made, in_view);
-        } else if (scene_.status[f] == Status::in_view) {
+        } else if (scene_.status[f] == FacetStatus::in_view) {
           add_whole(FacetId(f), in_view);
         }
       }

@@ -8,7 +8,7 @@
 //   - edges are distinct, top before bottom, sorted by (top, bottom); edges that fall on each other are one edge with
 //     all their sides;
 //   - for each facet, the winding over its sides adds up to zero at every point: its boundary is closed;
-//   - only facets with Status::in_view have sides.
+//   - only facets with FacetStatus::in_view have sides.
 // Complexity: O(n log n).
 // Errors: none; a mesh that builds and a camera that is made can be projected. Only in float and double, where the
 // points are not the nearest ones: ArithmeticError.
@@ -34,10 +34,10 @@
 namespace sightline::inline geometry {
 
 // The facing says which side of the facet's plane the eye is on, exactly.
-enum class Facing : std::uint8_t { front, back, edge_on };
+enum class FacetFacing : std::uint8_t { front, back, edge_on };
 
 // The status says what becomes of a facet. A status that is not listed here does not exist.
-enum class Status : std::uint8_t {
+enum class FacetStatus : std::uint8_t {
   in_view,      // swept: some of it lies in the view volume
   out_of_view,  // none of it lies in the view volume, or it only touches its border
   edge_on,      // the eye is in its plane: it shows no area
@@ -92,8 +92,8 @@ struct ProjectedScene {
   std::vector<SceneEdge> edges;  // one more than there are edges: the last one only ends the sides
   std::vector<EdgeSide> sides;
 
-  std::vector<Facing> facing;                // per facet
-  std::vector<Status> status;                // per facet
+  std::vector<FacetFacing> facing;           // per facet
+  std::vector<FacetStatus> status;           // per facet
   std::vector<std::uint32_t> polygon_begin;  // per facet and one more, into polygon_corners
   std::vector<ClippedCorner> polygon_corners;
   std::vector<MadeCorner> made_corners;

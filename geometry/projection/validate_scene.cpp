@@ -45,8 +45,10 @@ Messages check_arrays(const ProjectedScene& scene) {
   require(std::ranges::all_of(scene.polygon_corners,
                               [&](const ClippedCorner& c) { return c.vertex.valid() ? !c.made.valid() : is_made(c); }),
           "polygon_corners: neither a vertex nor made by clipping, or both");
-  require(std::ranges::all_of(scene.facing, [](Facing f) { return f <= Facing::edge_on; }), "facing: no such value");
-  require(std::ranges::all_of(scene.status, [](Status s) { return s <= Status::culled; }), "status: no such value");
+  require(std::ranges::all_of(scene.facing, [](FacetFacing f) { return f <= FacetFacing::edge_on; }),
+          "facing: no such value");
+  require(std::ranges::all_of(scene.status, [](FacetStatus s) { return s <= FacetStatus::culled; }),
+          "status: no such value");
   return messages;
 }
 
@@ -71,7 +73,7 @@ void check_edges(const ProjectedScene& scene, Messages& messages) {
       messages.push_back(name(EdgeId(e)) + " belongs to no facet");
     for (const EdgeSide& side : scene.sides_of(EdgeId(e))) {
       if (side.winding == 0) messages.push_back(name(EdgeId(e)) + " changes nothing for " + name(side.facet));
-      if (scene.status[side.facet.index()] != Status::in_view)
+      if (scene.status[side.facet.index()] != FacetStatus::in_view)
         messages.push_back(name(EdgeId(e)) + " has a side of " + name(side.facet) + ", which is not in view");
     }
   }
@@ -140,13 +142,15 @@ void check_sides_against_polygons(const ProjectedScene& scene, Messages& message
 void check_status(const ProjectedScene& scene, Messages& messages) {
   for (std::size_t i = 0; i < scene.status.size(); ++i) {
     const FacetId f(i);
-    const Status status = scene.status[i];
+    const FacetStatus status = scene.status[i];
     const std::size_t corners = scene.polygon(f).size();
-    const bool culled = scene.facing[i] == Facing::back && scene.sides_shown == Sides::front;
-    if ((status == Status::edge_on) != (scene.facing[i] == Facing::edge_on) || (status == Status::culled) != culled)
+    const bool culled = scene.facing[i] == FacetFacing::back && scene.sides_shown == Sides::front;
+    if ((status == FacetStatus::edge_on) != (scene.facing[i] == FacetFacing::edge_on) ||
+        (status == FacetStatus::culled) != culled)
       messages.push_back(name(f) + " has a status that does not fit the way it faces");
-    if (status == Status::in_view && corners < 3) messages.push_back(name(f) + " is in view and has no polygon");
-    if (status != Status::in_view && corners > 0) messages.push_back(name(f) + " is not in view and has a polygon");
+    if (status == FacetStatus::in_view && corners < 3) messages.push_back(name(f) + " is in view and has no polygon");
+    if (status != FacetStatus::in_view && corners > 0)
+      messages.push_back(name(f) + " is not in view and has a polygon");
   }
 }
 

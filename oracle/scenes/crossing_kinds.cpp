@@ -7,54 +7,54 @@
 namespace sightline::lattice {
 namespace {
 
-using Wholes = std::set<WholeId>;
+using UncutFacets = std::set<UncutFacetId>;
 using InputEdge = std::array<VertexId, 2>;
 
-// These are the wholes that meet in a point that cutting made, and along an edge that it made.
+// These are the facets that meet in a point that cutting made, and along an edge that it made.
 struct Meetings {
-  std::map<VertexId, Wholes> at_point;
-  std::map<VertexId, std::map<InputEdge, Wholes>> edges_at_point;
-  std::map<MeshEdgeId, Wholes> along;
+  std::map<VertexId, UncutFacets> at_point;
+  std::map<VertexId, std::map<InputEdge, UncutFacets>> edges_at_point;
+  std::map<MeshEdgeId, UncutFacets> along;
 };
 
 Meetings meetings(const CutMesh& mesh) {
   Meetings result;
   for (std::size_t f = 0; f < mesh.facet_count(); ++f) {
-    const WholeId whole = mesh.cuts.whole_of[f];
+    const UncutFacetId uncut = mesh.cuts.uncut_facet_of[f];
     const auto corners = mesh.corners(FacetId(f));
     for (std::size_t i = 0; i < corners.size(); ++i) {
       const MeshEdgeId edge = mesh.edges_of(FacetId(f))[i];
       const InputEdge& input = mesh.cuts.input_edge[edge.index()];
-      if (!input[0].valid()) result.along[edge].insert(whole);
+      if (!input[0].valid()) result.along[edge].insert(uncut);
       for (const VertexId v : {corners[i], corners[(i + 1) % corners.size()]}) {
         if (v.index() < mesh.input_vertex_count()) continue;
-        result.at_point[v].insert(whole);
-        if (input[0].valid()) result.edges_at_point[v][input].insert(whole);
+        result.at_point[v].insert(uncut);
+        if (input[0].valid()) result.edges_at_point[v][input].insert(uncut);
       }
     }
   }
   return result;
 }
 
-bool cross(const CutMesh& mesh, WholeId a, WholeId b) {
+bool cross(const CutMesh& mesh, UncutFacetId a, UncutFacetId b) {
   return std::ranges::binary_search(mesh.cuts.crossing, std::array{std::min(a, b), std::max(a, b)});
 }
 
-bool three_cross(const CutMesh& mesh, const Wholes& wholes) {
-  for (const WholeId a : wholes) {
-    for (const WholeId b : wholes) {
+bool three_cross(const CutMesh& mesh, const UncutFacets& facets) {
+  for (const UncutFacetId a : facets) {
+    for (const UncutFacetId b : facets) {
       if (a < b && cross(mesh, a, b) &&
-          std::ranges::any_of(wholes, [&](WholeId c) { return b < c && cross(mesh, a, c) && cross(mesh, b, c); }))
+          std::ranges::any_of(facets, [&](UncutFacetId c) { return b < c && cross(mesh, a, c) && cross(mesh, b, c); }))
         return true;
     }
   }
   return false;
 }
 
-bool edges_of_two_that_cross(const CutMesh& mesh, const std::map<InputEdge, Wholes>& edges) {
+bool edges_of_two_that_cross(const CutMesh& mesh, const std::map<InputEdge, UncutFacets>& edges) {
   const auto cross_each_other = [&](const auto& e, const auto& f) {
-    return std::ranges::any_of(e.second, [&](WholeId a) {
-      return std::ranges::any_of(f.second, [&](WholeId b) { return a != b && cross(mesh, a, b); });
+    return std::ranges::any_of(e.second, [&](UncutFacetId a) {
+      return std::ranges::any_of(f.second, [&](UncutFacetId b) { return a != b && cross(mesh, a, b); });
     });
   };
   return std::ranges::any_of(edges, [&](const auto& e) {
@@ -62,10 +62,10 @@ bool edges_of_two_that_cross(const CutMesh& mesh, const std::map<InputEdge, Whol
   });
 }
 
-bool is_of_several(const CutMesh& mesh, WholeId whole) {
-  const FaceId face = mesh.facet_face[mesh.cuts.first_facet[whole.index()].index()];
-  const WholeId first = mesh.cuts.whole_of[mesh.face_facet[face.index()].index()];
-  const WholeId last = mesh.cuts.whole_of[mesh.face_facet[face.index() + 1].index() - 1];
+bool is_of_several(const CutMesh& mesh, UncutFacetId uncut) {
+  const FaceId face = mesh.facet_face[mesh.cuts.first_facet[uncut.index()].index()];
+  const UncutFacetId first = mesh.cuts.uncut_facet_of[mesh.face_facet[face.index()].index()];
+  const UncutFacetId last = mesh.cuts.uncut_facet_of[mesh.face_facet[face.index() + 1].index() - 1];
   return first != last;
 }
 
@@ -77,9 +77,9 @@ CrossingKinds crossing_kinds(const CutMesh& cut) {
   const auto of = [](const auto& entry) -> const auto& { return entry.second; };
   CrossingKinds kinds;
   kinds.three_in_a_point = std::ranges::any_of(
-      found.at_point, [&](const Wholes& wholes) { return three_cross(cut, wholes); }, of);
+      found.at_point, [&](const UncutFacets& facets) { return three_cross(cut, facets); }, of);
   kinds.three_on_a_line = std::ranges::any_of(
-      found.along, [](const Wholes& wholes) { return wholes.size() > 2; }, of);
+      found.along, [](const UncutFacets& facets) { return facets.size() > 2; }, of);
   kinds.end_on_both_edges = std::ranges::any_of(
       found.edges_at_point, [&](const auto& edges) { return edges_of_two_that_cross(cut, edges); }, of);
   kinds.concave = std::ranges::any_of(

@@ -10,7 +10,7 @@ namespace {
 Point2 at_x(const Point2& a, const Point2& b, double x) { return {x, a.y + (b.y - a.y) * ((x - a.x) / (b.x - a.x))}; }
 Point2 at_y(const Point2& a, const Point2& b, double y) { return {a.x + (b.x - a.x) * ((y - a.y) / (b.y - a.y)), y}; }
 
-// Calls what(unit, from, to) for the pieces of a side in each unit interval of a coordinate, in its direction.
+// Calls what(unit, from, to) for the segments of a side in each unit interval of a coordinate, in its direction.
 template <class Coordinate, class At, class What>
 void for_each_unit(const Point2& from, const Point2& to, int units, Coordinate coordinate, At at, What what) {
   const bool forward = coordinate(from) <= coordinate(to);

@@ -43,7 +43,7 @@ int total_change(const std::vector<ActiveCrossing>& crossings) {
   return total;
 }
 
-// Returns the middle of the longest piece between crossings.
+// Returns the middle of the longest segment between crossings.
 double seed_of(const std::vector<ActiveCrossing>& crossings) {
   double begin = 0;
   double seed = 0.5;
@@ -113,11 +113,11 @@ class Propagation {
     reach(line, lines_[line].from, Q_v);
     double begin = 0;
     for (const ActiveCrossing& crossing : crossings) {
-      if (crossing.t > begin) result_.pieces.push_back({line, begin, crossing.t, Q_v});
+      if (crossing.t > begin) result_.segments.push_back({line, begin, crossing.t, Q_v});
       begin = crossing.t;
       Q_v += crossing.change;
     }
-    if (begin < 1) result_.pieces.push_back({line, begin, 1, Q_v});
+    if (begin < 1) result_.segments.push_back({line, begin, 1, Q_v});
     reach(line, lines_[line].to, Q_v);
   }
 
@@ -153,13 +153,13 @@ void refuse_cuts_by_bounds(const FlatScene& scene) {
 }
 
 VisibleLines visible_lines(const CutMesh& mesh, const std::vector<SceneLine>& lines,
-                           const std::vector<LinePiece>& pieces) {
+                           const std::vector<LineSegment>& segments) {
   VisibleLines visible;
-  for (const LinePiece& piece : pieces) {
-    const SceneLine& line = lines[piece.line];
-    if (piece.Q_v != 0 || !parts_surfaces(mesh, line)) continue;
-    const Corner from = line.at(piece.from);
-    const Corner to = line.at(piece.to);
+  for (const LineSegment& segment : segments) {
+    const SceneLine& line = lines[segment.line];
+    if (segment.Q_v != 0 || !parts_surfaces(mesh, line)) continue;
+    const Corner from = line.at(segment.from);
+    const Corner to = line.at(segment.to);
     visible.push_back({{from.x, from.y}, {to.x, to.y}});
   }
   return visible;
@@ -169,7 +169,7 @@ Outcome draw_visible_lines(const FlatScene& scene, int /*resolution*/) {
   refuse_cuts_by_bounds(scene);
   const std::vector<SceneLine> lines = scene_lines(scene);
   const QuantitativeInvisibility found = quantitative_invisibility(scene, lines);
-  return {visible_lines(*scene.mesh, lines, found.pieces),
+  return {visible_lines(*scene.mesh, lines, found.segments),
           {{"lines", lines.size()},
            {"seeds", found.counts.seeds},
            {"propagations", found.counts.propagations},

@@ -17,7 +17,7 @@
 // mesh.
 // Departures: the boundary edges of open meshes are active, too, and back-facing polygons obscure as front-facing
 // ones do, since either is the surface here; so a silhouette edge changes Q_v by 2. The seed is in the middle of the
-// longest piece between two intersections. Lines that fall on others in the image are thought moved aside
+// longest segment between two intersections. Lines that fall on others in the image are thought moved aside
 // (scene_lines.h).
 // Source: slides 004, "Quantitative Invisibility"; Appel 1967.
 #pragma once
@@ -32,8 +32,8 @@ namespace sightline::peers {
 
 [[nodiscard]] Peer appel();
 
-// A piece of a line lies between intersections with active edges.
-struct LinePiece {
+// A segment of a line lies between intersections with active edges.
+struct LineSegment {
   std::size_t line = 0;
   double from = 0;  // of the line, 0 to 1
   double to = 1;
@@ -47,7 +47,7 @@ struct InvisibilityCounts {
 };
 
 struct QuantitativeInvisibility {
-  std::vector<LinePiece> pieces;  // of all lines
+  std::vector<LineSegment> segments;  // of all lines
   InvisibilityCounts counts;
 };
 

@@ -2,7 +2,7 @@
 //
 // Source: slides 001 ("Izlocanje zadnjih ploskev (backface culling)": F is a back face if (P - eye) dot m_F > 0), 003
 //      and 004 ("Back Face Detection": V . N), and Koucky 3.5.
-// Precision: object. The sign of (P - eye) dot m_F is exact: projecting the scene has decided it (Facing).
+// Precision: object. The sign of (P - eye) dot m_F is exact: projecting the scene has decided it (FacetFacing).
 // Cost: O(n).
 // Right for: one closed convex body in view, whole; there it solves the visible-surface problem (004).
 // Cannot: tell what hides what. Of two bodies, or of one that is not convex, it shows what is hidden, and its parts of

@@ -8,8 +8,8 @@
 namespace sightline::peers {
 namespace {
 
-// A piece of an edge has its upper point first in the order of the sweep.
-struct Piece {
+// A segment of an edge has its upper point first in the order of the sweep.
+struct EdgeSegment {
   EdgeId edge;
   PointId upper;
   PointId lower;
@@ -20,18 +20,18 @@ bool is_of_mesh(const ProjectedScene& scene, EdgeId edge) {
   return std::any_of(sides.begin(), sides.end(), [](const EdgeSide& side) { return side.mesh_edge.valid(); });
 }
 
-std::vector<Piece> sorted_pieces(const ProjectedScene& scene, const VisibleSegments& segments,
-                                 const SweepOrder& before) {
-  std::vector<Piece> pieces;
+std::vector<EdgeSegment> sorted_segments(const ProjectedScene& scene, const VisibleSegments& segments,
+                                         const SweepOrder& before) {
+  std::vector<EdgeSegment> edge_segments;
   for (const VisibleSegment& s : segments.segments) {
     if (!is_of_mesh(scene, s.edge)) continue;
     const bool down = before(s.start, s.end);
-    pieces.push_back({s.edge, down ? s.start : s.end, down ? s.end : s.start});
+    edge_segments.push_back({s.edge, down ? s.start : s.end, down ? s.end : s.start});
   }
-  std::sort(pieces.begin(), pieces.end(), [&before](const Piece& p, const Piece& q) {
+  std::sort(edge_segments.begin(), edge_segments.end(), [&before](const EdgeSegment& p, const EdgeSegment& q) {
     return p.edge != q.edge ? p.edge < q.edge : before(p.upper, q.upper);
   });
-  return pieces;
+  return edge_segments;
 }
 
 // The lines that are exactly visible are where the boundary of what is visible of a face runs along an edge of the
@@ -41,17 +41,17 @@ VisibleLines exact_lines(const ProjectedScene& scene, const VisibleSegments& seg
   const SweepOrder before(scene, segments);
   const ImagePoints points(scene, segments);
   VisibleLines lines;
-  Piece last;
+  EdgeSegment last;
   const auto end_last = [&] {
     if (last.edge.valid()) lines.push_back({points.in_window(last.upper), points.in_window(last.lower)});
   };
-  for (const Piece& piece : sorted_pieces(scene, segments, before)) {
-    if (piece.edge == last.edge && !before(last.lower, piece.upper)) {
-      if (before(last.lower, piece.lower)) last.lower = piece.lower;
+  for (const EdgeSegment& segment : sorted_segments(scene, segments, before)) {
+    if (segment.edge == last.edge && !before(last.lower, segment.upper)) {
+      if (before(last.lower, segment.lower)) last.lower = segment.lower;
       continue;
     }
     end_last();
-    last = piece;
+    last = segment;
   }
   end_last();
   return lines;

@@ -62,11 +62,11 @@ FlatScene flat_scene(const ProjectedScene& scene) {
   FlatScene flat{&mesh, &scene, {}};
   const Frame frame = frame_of(scene.camera);
   for (std::size_t f = 0; f < mesh.facet_count(); ++f) {
-    if (scene.status[f] != Status::in_view) continue;
+    if (scene.status[f] != FacetStatus::in_view) continue;
     const FacetId facet{f};
     const Vector3 normal = normal_of(mesh, facet);
     const double offset = normal.dot(mesh.position(mesh.corners(facet).front()) - scene.camera.origin);
-    FlatPolygon polygon{mesh.facet_face[f], facet, scene.facing[f] == Facing::front, {}, {}};
+    FlatPolygon polygon{mesh.facet_face[f], facet, scene.facing[f] == FacetFacing::front, {}, {}};
     polygon.plane = depth_plane(frame, scene.camera, normal, offset);
     if (!is_finite(polygon.plane)) continue;
     polygon.corners = corners_of(scene, facet, polygon.plane);

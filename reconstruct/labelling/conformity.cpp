@@ -79,11 +79,11 @@ class Conformity {
         mesh_(mesh),
         messages_(messages),
         weld_(weld(labelled.vertices)),
-        pieces_(mesh.edges.size()) {}
+        segments_(mesh.edges.size()) {}
 
   void run() {
     find_borders();
-    for (std::size_t f = 0; f < mesh_.face_count(); ++f) find_pieces(FaceId(f));
+    for (std::size_t f = 0; f < mesh_.face_count(); ++f) find_segments(FaceId(f));
     for (std::size_t f = 0; f < mesh_.face_count(); ++f) compare(FaceId(f));
   }
 
@@ -134,22 +134,22 @@ class Conformity {
 
   // Where a border runs back along itself the links of a mesh edge may have cancelled; then all sides of the triangles
   // are looked at.
-  void find_pieces(FaceId face) {
+  void find_segments(FaceId face) {
     for (const bool of_border : {true, false}) {
       std::vector<BorderEdge> edges = border_edges(face);
-      std::erase_if(edges, [this](const BorderEdge& b) { return !pieces_[b.edge.index()].empty(); });
+      std::erase_if(edges, [this](const BorderEdge& b) { return !segments_[b.edge.index()].empty(); });
       if (edges.empty()) return;
       const Chain links = outgoing(of_border ? borders_[face.index()] : sides(face));
-      for (const BorderEdge& b : edges) find_pieces(b, links);
+      for (const BorderEdge& b : edges) find_segments(b, links);
     }
   }
 
-  void find_pieces(const BorderEdge& b, const Chain& links) {
+  void find_segments(const BorderEdge& b, const Chain& links) {
     const auto& [first, second] = mesh_.edges[b.edge.index()];
-    auto& pieces = pieces_[b.edge.index()];
-    pieces = b.count > 0 ? path(links, weld_[first.index()], weld_[second.index()])
-                         : path(links, weld_[second.index()], weld_[first.index()]);
-    if (b.count < 0) std::ranges::reverse(pieces);
+    auto& segments = segments_[b.edge.index()];
+    segments = b.count > 0 ? path(links, weld_[first.index()], weld_[second.index()])
+                           : path(links, weld_[second.index()], weld_[first.index()]);
+    if (b.count < 0) std::ranges::reverse(segments);
   }
 
   // Returns the vertices of a path along the links, both ends included; it is empty where none leads there.
@@ -187,13 +187,13 @@ class Conformity {
   void compare(FaceId face) {
     Chain difference = borders_[face.index()];
     for (const BorderEdge& b : border_edges(face)) {
-      const std::vector<VertexId>& pieces = pieces_[b.edge.index()];
-      if (pieces.empty()) {
+      const std::vector<VertexId>& segments = segments_[b.edge.index()];
+      if (segments.empty()) {
         messages_.push_back("face " + std::to_string(face.value) + " has no border along mesh edge " +
                             std::to_string(b.edge.value));
         return;
       }
-      for (std::size_t i = 0; i + 1 < pieces.size(); ++i) add(difference, pieces[i], pieces[i + 1], -b.count);
+      for (std::size_t i = 0; i + 1 < segments.size(); ++i) add(difference, segments[i], segments[i + 1], -b.count);
     }
     for (const Link& link : canonical(std::move(difference))) {
       messages_.push_back("face " + std::to_string(face.value) +
@@ -206,9 +206,10 @@ class Conformity {
   const PolygonMesh& mesh_;
   std::vector<std::string>& messages_;
   std::vector<VertexId> weld_;
-  std::vector<std::size_t> first_triangle_;    // per face and one more
-  std::vector<Chain> borders_;                 // per face, canonical
-  std::vector<std::vector<VertexId>> pieces_;  // per mesh edge, from its first end to its second; empty: not found yet
+  std::vector<std::size_t> first_triangle_;  // per face and one more
+  std::vector<Chain> borders_;               // per face, canonical
+  std::vector<std::vector<VertexId>>
+      segments_;  // per mesh edge, from its first end to its second; empty: not found yet
 };
 
 }  // namespace

@@ -4,11 +4,11 @@
 // Out: messages with ids.
 // Method: chains of directed edges between positions (equal positions are one, edges of length zero are none). What
 // is left of the sides of a face's triangles when opposite directions have cancelled is its border. Each mesh edge
-// has one chain of pieces, read off the border of the first face that shows it. Then the border of every face has to
+// has one chain of segments, read off the border of the first face that shows it. Then the border of every face has to
 // be the sum of the chains of its mesh edges, in their directions. So sides inside a face are matched within it, and
-// a piece of a mesh edge has as many triangles as the mesh edge has facets: closed in, closed out. Nothing is assumed
+// a segment of a mesh edge has as many triangles as the mesh edge has facets: closed in, closed out. Nothing is assumed
 // about the mesh: edges with one facet or many, in whatever directions, edges on edges, all the same. Rounding plays
-// no part, with one exception: where several pieces of border leave one point, the one that leads straightest on is
+// no part, with one exception: where several segments of border leave one point, the one that leads straightest on is
 // followed.
 // Complexity: O(n log n).
 #pragma once

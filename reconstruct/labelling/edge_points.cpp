@@ -74,7 +74,7 @@ std::vector<EdgePoints::Candidate> EdgePoints::candidates(const ProjectedScene& 
   return found;
 }
 
-// What is in view of an edge is one straight piece, and its points lie on it in sweep order or in the opposite order.
+// What is in view of an edge is one straight segment, and its points lie on it in sweep order or in the opposite order.
 bool EdgePoints::before_on_edge(const Candidate& a, const Candidate& b, const ImagePoints& points) const {
   const InView& view = in_view(a.edge);
   const bool downwards = view.from == nullptr || points.sweeps_before(view.from->point, view.to->point);

@@ -145,13 +145,13 @@ class FaceCheck {
   void add_triangle(std::size_t index, const SurfaceOrientation& seen) {
     const LabelledTriangle& triangle = labelled_.triangles[index];
     const auto corners = positions(labelled_.vertices, triangle.corners);
-    const ScaledTriangle piece = scaled(corners);
-    const double seen_area = seen.sign * piece.twice_area[seen.axis] / 2;
-    const double off_by = rounding_ * piece.perimeter;
+    const ScaledTriangle measures = scaled(corners);
+    const double seen_area = seen.sign * measures.twice_area[seen.axis] / 2;
+    const double off_by = rounding_ * measures.perimeter;
     const bool is_turned = seen_area < -off_by;
-    surplus_ += is_turned ? -piece.area() : piece.area();
-    perimeters_ += piece.perimeter;
-    if (std::fabs(seen_area) <= off_by) undecided_ += piece.area();
+    surplus_ += is_turned ? -measures.area() : measures.area();
+    perimeters_ += measures.perimeter;
+    if (std::fabs(seen_area) <= off_by) undecided_ += measures.area();
     if (is_turned && !is_narrow(corners, scene_)) {
       messages_.push_back("triangle " + std::to_string(index) + " is turned over against face " +
                           std::to_string(triangle.face.value));

@@ -62,11 +62,10 @@ struct PieceEdge {
   bool forward = false;  // along the mesh edge
 };
 
-// Returns the edges on the border of a whole: inside it each edge has two pieces.
-std::vector<PieceEdge> border_edges(const CutMesh& mesh, WholeId whole) {
+// Returns the edges on the border of an uncut facet: inside it each edge has two pieces.
+std::vector<PieceEdge> border_edges(const CutMesh& mesh, UncutFacetId uncut) {
   std::vector<PieceEdge> edges;
-  const auto& first = mesh.cuts.first_facet;
-  for (std::size_t f = first[whole.index()].index(); f < first[whole.index() + 1].index(); ++f) {
+  for (std::size_t f = mesh.first_piece(uncut).index(); f < mesh.end_piece(uncut).index(); ++f) {
     const auto corners = mesh.corners(FacetId(f));
     for (std::size_t i = 0; i < corners.size(); ++i) {
       const MeshEdgeId e = mesh.edges_of(FacetId(f))[i];
@@ -83,7 +82,7 @@ std::vector<PieceEdge> border_edges(const CutMesh& mesh, WholeId whole) {
   return border;
 }
 
-// Returns the edges in their order around the whole.
+// Returns the edges in their order around the uncut facet.
 std::vector<PieceEdge> linked(const CutMesh& mesh, const std::vector<PieceEdge>& border, VertexId start) {
   std::map<VertexId, PieceEdge> leaving;
   for (const PieceEdge& e : border) leaving[mesh.weld[e.from.index()]] = e;
@@ -97,8 +96,8 @@ std::vector<PieceEdge> linked(const CutMesh& mesh, const std::vector<PieceEdge>&
 
 }  // namespace
 
-std::vector<BorderPoint> whole_border(const CutMesh& mesh, const EdgePoints& edge_points, WholeId whole) {
-  const auto edges = linked(mesh, border_edges(mesh, whole), mesh.cuts.wholes[whole.index()].front());
+std::vector<BorderPoint> uncut_border(const CutMesh& mesh, const EdgePoints& edge_points, UncutFacetId uncut) {
+  const auto edges = linked(mesh, border_edges(mesh, uncut), mesh.cuts.uncut_facets[uncut.index()].front());
   std::vector<VertexId> corners;
   for (const PieceEdge& e : edges) corners.push_back(e.from);
   const auto sides = straight_sides(mesh, corners);
@@ -112,36 +111,35 @@ std::vector<BorderPoint> whole_border(const CutMesh& mesh, const EdgePoints& edg
   return border;
 }
 
-VertexId corner_vertex(const ProjectedScene& scene, const ClippedCorner& corner, const EdgePoints& edge_points,
-                       InnerVertices& inner) {
+VertexId corner_vertex(const LabelSources& from, const ClippedCorner& corner, InnerVertices& inner) {
   if (corner.vertex.valid()) return corner.vertex;
-  const MadeCorner& made = scene.made(corner);
-  if (made.on_edge.valid()) return edge_points.vertex(made.on_edge, corner.point);
-  return inner.at(corner.point, made.position);
+  const MadeCorner& made = from.scene.made(corner);
+  if (made.on_edge.valid()) return from.edge_points.vertex(made.on_edge, corner.point);
+  return inner.vertex_at(corner.point, made.position);
 }
 
-std::vector<PointId> splits_between(const ProjectedScene& scene, const ImagePoints& points, FacetId facet,
-                                    std::size_t i, std::span<const EdgeSplit> splits_of_view_border) {
-  const auto polygon = scene.polygon(facet);
-  const PointId from = polygon[i].point;
-  const PointId to = polygon[i + 1 == polygon.size() ? 0 : i + 1].point;
+std::vector<PointId> splits_between(const LabelSources& from, FacetId facet, std::size_t i,
+                                    std::span<const EdgeSplit> splits_of_view_border) {
+  const auto polygon = from.scene.polygon(facet);
+  const PointId first = polygon[i].point;
+  const PointId last = polygon[i + 1 == polygon.size() ? 0 : i + 1].point;
   std::vector<PointId> result;
   for (const EdgeSplit& split : splits_of_view_border) {
-    const SceneEdge& edge = scene.edge(split.edge);
-    if (split.facet == facet && edge.top == std::min(from, to) && edge.bottom == std::max(from, to)) {
+    const SceneEdge& edge = from.scene.edge(split.edge);
+    if (split.facet == facet && edge.top == std::min(first, last) && edge.bottom == std::max(first, last)) {
       result.push_back(split.point);
     }
   }
-  std::sort(result.begin(), result.end(),
-            [&](PointId a, PointId b) { return from < to ? points.sweeps_before(a, b) : points.sweeps_before(b, a); });
+  std::sort(result.begin(), result.end(), [&](PointId a, PointId b) {
+    return first < last ? from.points.sweeps_before(a, b) : from.points.sweeps_before(b, a);
+  });
   return result;
 }
 
-std::vector<ViewBorderPoint> view_border(const ProjectedScene& scene, const ImagePoints& points,
-                                         const EdgePoints& edge_points, FacetId facet,
+std::vector<ViewBorderPoint> view_border(const LabelSources& from, FacetId facet,
                                          std::span<const EdgeSplit> splits_of_view_border, InnerVertices& inner) {
-  const CutMesh& mesh = scene.mesh();
-  const auto polygon = scene.polygon(facet);
+  const CutMesh& mesh = from.mesh;
+  const auto polygon = from.scene.polygon(facet);
   const auto corners = mesh.corners(facet);
   const auto edges = mesh.edges_of(facet);
   const auto sides = straight_sides(mesh, mesh.corners(facet));
@@ -150,11 +148,11 @@ std::vector<ViewBorderPoint> view_border(const ProjectedScene& scene, const Imag
     const ClippedCorner& corner = polygon[i];
     const ClippedCorner& next = polygon[i + 1 == polygon.size() ? 0 : i + 1];
     const auto own_side = static_cast<std::uint32_t>(corners.size() + i);
-    ViewBorderPoint point{{corner_vertex(scene, corner, edge_points, inner), own_side}, corner.point};
+    ViewBorderPoint point{{corner_vertex(from, corner, inner), own_side}, corner.point};
     if (!corner.edge_after.valid()) {
       border.push_back(point);
-      for (const PointId p : splits_between(scene, points, facet, i, splits_of_view_border)) {
-        border.push_back({{inner.at(p, std::nullopt), own_side}, p});
+      for (const PointId p : splits_between(from, facet, i, splits_of_view_border)) {
+        border.push_back({{inner.vertex_at(p, std::nullopt), own_side}, p});
       }
       continue;
     }
@@ -162,8 +160,8 @@ std::vector<ViewBorderPoint> view_border(const ProjectedScene& scene, const Imag
         static_cast<std::size_t>(std::find(edges.begin(), edges.end(), corner.edge_after) - edges.begin());
     point.border.side = sides[place];
     border.push_back(point);
-    for (const EdgePoint& p : along(mesh, edge_points, corner.edge_after, corners[place])) {
-      if (p.vertex == point.border.vertex || p.vertex == corner_vertex(scene, next, edge_points, inner)) continue;
+    for (const EdgePoint& p : along(mesh, from.edge_points, corner.edge_after, corners[place])) {
+      if (p.vertex == point.border.vertex || p.vertex == corner_vertex(from, next, inner)) continue;
       border.push_back({{p.vertex, sides[place]}, p.point});
     }
   }
@@ -199,7 +197,7 @@ std::vector<ImagePoint> turning_points(const ProjectedScene& scene, FacetId face
 
 bool is_proper(const ProjectedScene& scene, FacetId facet) {
   const CutMesh& mesh = scene.mesh();
-  const Sign turn = scene.facing[facet.index()] == Facing::back ? -1 : 1;
+  const Sign turn = scene.facing[facet.index()] == FacetFacing::back ? -1 : 1;
   const auto polygon = scene.polygon(facet);
   if (polygon.size() == 3 && mesh.corners(facet).size() == 3) {
     return orientation(scene.point(polygon[0].point), scene.point(polygon[1].point), scene.point(polygon[2].point)) ==

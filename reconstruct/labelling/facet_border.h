@@ -1,6 +1,6 @@
 // The border of a facet as the labelled surface has it: its corners and all the points that split its edges.
 //
-// In:  scene, the points on mesh edges.
+// In:  what all surfaces are labelled from, or of it the mesh and the points on mesh edges.
 // Out: borders in the facet's orientation, of the whole facet or of its part in view.
 // Holds: no vertex twice in a row; two lines have the same side exactly where they are on one straight line.
 #pragma once
@@ -8,10 +8,8 @@
 #include <optional>
 #include <vector>
 
-#include "geometry/mesh/cut_mesh.h"
-#include "geometry/projection/projected_scene.h"
-#include "reconstruct/labelling/edge_points.h"
-#include "reconstruct/triangulation/convex_pieces.h"
+#include "reconstruct/labelling/label_sources.h"
+#include "reconstruct/triangulation/convex_triangles.h"
 
 namespace sightline::inline reconstruct {
 
@@ -26,7 +24,7 @@ struct ViewBorderPoint {
 class InnerVertices {
  public:
   virtual ~InnerVertices() = default;
-  virtual VertexId at(PointId p, std::optional<Point3> position) = 0;
+  virtual VertexId vertex_at(PointId p, std::optional<Point3> position) = 0;
 };
 
 // Returns, per edge of a convex polygon, a number that edges on one straight line share.
@@ -35,21 +33,20 @@ class InnerVertices {
 [[nodiscard]] std::vector<BorderPoint> facet_border(const CutMesh& mesh, const EdgePoints& edge_points, FacetId facet);
 
 // Returns the border of a facet before it was cut along common lines, with all points that its edges have now.
-[[nodiscard]] std::vector<BorderPoint> whole_border(const CutMesh& mesh, const EdgePoints& edge_points, WholeId whole);
+[[nodiscard]] std::vector<BorderPoint> uncut_border(const CutMesh& mesh, const EdgePoints& edge_points,
+                                                    UncutFacetId uncut);
 
 // With splits_of_view_border, the sweep's splits along the view volume's border are points, too.
-[[nodiscard]] std::vector<ViewBorderPoint> view_border(const ProjectedScene& scene, const ImagePoints& points,
-                                                       const EdgePoints& edge_points, FacetId facet,
+[[nodiscard]] std::vector<ViewBorderPoint> view_border(const LabelSources& from, FacetId facet,
                                                        std::span<const EdgeSplit> splits_of_view_border,
                                                        InnerVertices& inner);
 
 // Returns the vertex of a corner of a clipped polygon.
-[[nodiscard]] VertexId corner_vertex(const ProjectedScene& scene, const ClippedCorner& corner,
-                                     const EdgePoints& edge_points, InnerVertices& inner);
+[[nodiscard]] VertexId corner_vertex(const LabelSources& from, const ClippedCorner& corner, InnerVertices& inner);
 
 // Returns the splits of the line from corner i to the next along the view volume's border, in that direction.
-[[nodiscard]] std::vector<PointId> splits_between(const ProjectedScene& scene, const ImagePoints& points, FacetId facet,
-                                                  std::size_t i, std::span<const EdgeSplit> splits_of_view_border);
+[[nodiscard]] std::vector<PointId> splits_between(const LabelSources& from, FacetId facet, std::size_t i,
+                                                  std::span<const EdgeSplit> splits_of_view_border);
 
 // Returns whether the rounded polygon of a facet in view is still convex and turns as the facet does. Where it does
 // not, the facet is narrower than the grid. Straight sides that rounding bends, within the grid, do not count.

@@ -6,7 +6,7 @@
 //   - the first vertices are the input's, bit for bit and in order;
 //   - the triangles of a face have its orientation, but for some that are narrower than the grid in the image, where
 //     rounding has bent what was straight; together they have its area;
-//   - conforming: what splits an edge splits it for all faces on it, so that a mesh edge with two faces yields pieces
+//   - conforming: what splits an edge splits it for all faces on it, so that a mesh edge with two faces yields segments
 //     with two triangles each; closed in, closed out;
 //   - skipped faces have no triangle.
 // Complexity: O(n log n) plus a constrained Delaunay triangulation per face that is seen in part.
@@ -43,12 +43,12 @@ struct LabelledTriangle {
   FaceId face;
   FacetId surface;  // the one it lies on (surface_of in facet_plane.h), whatever the camera
   Label label = Label::hidden;
-  bool seen = false;  // the camera sees it: label visible, or a piece of a back-facing face that nothing hides
+  bool seen = false;             // the camera sees it: label visible, or of a back-facing face that nothing hides
   std::uint64_t reflecting = 0;  // bit p: it mirrors panel p into the camera
 };
 
-// Each panel has the borders of what reflects it, above resolution (reflect/reflections.h): directed pieces within
-// visible polygons, each on a surface that its `facet` names. Pieces meet in end points only. There are at most 64
+// Each panel has the borders of what reflects it, above resolution (reflect/reflections.h): directed segments within
+// visible polygons, each on a surface that its `facet` names. They meet in end points only. There are at most 64
 // panels.
 using PanelBorders = std::vector<std::vector<VisibleSegment>>;
 constexpr std::size_t most_panels = 64;

@@ -11,7 +11,7 @@ void SurfaceVertices::begin(FacetId surface) {
   known_.clear();
 }
 
-VertexId SurfaceVertices::at(PointId p, std::optional<Point3> position) {
+VertexId SurfaceVertices::vertex_at(PointId p, std::optional<Point3> position) {
   const auto [place, is_new] = known_.try_emplace(p);
   if (is_new) place->second = vertices_.add(position ? *position : lift(p));
   return place->second;

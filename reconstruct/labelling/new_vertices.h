@@ -42,7 +42,7 @@ class SurfaceVertices : public InnerVertices {
       : mesh_(scene.mesh()), scene_(scene), points_(points), vertices_(vertices) {}
 
   void begin(FacetId surface);
-  VertexId at(PointId p, std::optional<Point3> position) override;
+  VertexId vertex_at(PointId p, std::optional<Point3> position) override;
 
  private:
   [[nodiscard]] Point3 lift(PointId p) const;

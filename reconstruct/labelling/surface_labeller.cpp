@@ -6,13 +6,12 @@
 #include "geometry/mesh/facet_plane.h"
 #include "reconstruct/labelling/facet_border.h"
 #include "reconstruct/labelling/new_vertices.h"
-#include "reconstruct/labelling/outside_pieces.h"
+#include "reconstruct/labelling/outside_triangles.h"
+#include "reconstruct/labelling/surface_triangles.h"
 #include "reconstruct/triangulation/constrained_delaunay.h"
 
 namespace sightline::inline reconstruct {
 namespace {
-
-bool by_facet(const EdgeSplit& a, const EdgeSplit& b) { return a.facet < b.facet; }
 
 class SurfaceLabeller {
  public:
@@ -48,42 +47,42 @@ class SurfaceLabeller {
     find_visible_segments_of(surface);
     const std::vector<SegmentId>& visible = visible_;
     bool seen = !visible.empty() && (end - begin > 1 || is_proper(scene_, surface));
-    const auto reflecting = reflecting_on(surface);
+    const auto reflecting = from_.reflecting_on(surface);
     if (seen && (!reflecting.empty() || !is_whole(visible, begin, end))) {
       if (add_partly_visible(begin, end, visible, reflecting)) return;
       seen = is_mostly_visible(begin, end);
     }
-    for (std::size_t f = begin; f < end; f = end_of_whole(f)) add_uniform_whole(f, seen);
+    for (std::size_t f = begin; f < end; f = end_of_uncut(f)) add_uniform_uncut(f, seen);
   }
 
-  // Returns one past the last piece of the whole that a facet was cut from.
-  [[nodiscard]] std::size_t end_of_whole(std::size_t f) const {
-    return mesh_.is_cut() ? mesh_.cuts.first_facet[mesh_.cuts.whole_of[f].index() + 1].index() : f + 1;
+  // Returns one past the last piece of the uncut facet that a facet was cut from.
+  [[nodiscard]] std::size_t end_of_uncut(std::size_t f) const {
+    return mesh_.end_piece(mesh_.uncut_facet(FacetId(f))).index();
   }
 
-  // The whole is added without the lines along which it was cut where no piece needs them.
-  void add_uniform_whole(std::size_t first, bool seen) {
-    const std::size_t end = end_of_whole(first);
+  // The uncut facet is added without the lines along which it was cut where no piece needs them.
+  void add_uniform_uncut(std::size_t first, bool seen) {
+    const std::size_t end = end_of_uncut(first);
     bool alike = true;
     for (std::size_t f = first; f < end; ++f) {
       alike = alike && scene_.status[f] == scene_.status[first] && !is_clipped(FacetId(f));
     }
     if (end - first > 1 && alike) {
       const bool seen_in_view = seen && is_in_view(first);
-      const auto border = whole_border(mesh_, edge_points_, mesh_.cuts.whole_of[first]);
+      const auto border = uncut_border(mesh_, edge_points_, mesh_.uncut_facet(FacetId(first)));
       add_convex(FacetId(first), border, uniform_label(FacetId(first), seen_in_view), seen_in_view);
       return;
     }
     for (std::size_t f = first; f < end; ++f) add_uniform(FacetId(f), seen && is_in_view(f));
   }
 
-  [[nodiscard]] bool is_in_view(std::size_t f) const { return scene_.status[f] == Status::in_view; }
+  [[nodiscard]] bool is_in_view(std::size_t f) const { return scene_.status[f] == FacetStatus::in_view; }
 
   // Returns the label of a facet whose part in view is all seen or not at all.
   [[nodiscard]] Label uniform_label(FacetId f, bool seen) const {
-    if (scene_.facing[f.index()] != Facing::front) return Label::back_facing;
+    if (scene_.facing[f.index()] != FacetFacing::front) return Label::back_facing;
     if (seen) return Label::visible;
-    return scene_.status[f.index()] == Status::in_view ? Label::hidden : Label::out_of_view;
+    return scene_.status[f.index()] == FacetStatus::in_view ? Label::hidden : Label::out_of_view;
   }
 
   // Returns whether most of the surface's area in view is visible. Precondition: find_visible_segments_of was called
@@ -135,16 +134,15 @@ class SurfaceLabeller {
 
   // Adds a facet whose part in view is all visible or not at all.
   void add_uniform(FacetId f, bool seen) {
-    const bool front = scene_.facing[f.index()] == Facing::front;
-    const bool in_view = scene_.status[f.index()] == Status::in_view;
+    const bool front = scene_.facing[f.index()] == FacetFacing::front;
+    const bool in_view = scene_.status[f.index()] == FacetStatus::in_view;
     const Label inside = uniform_label(f, seen);
     if (!in_view || !is_clipped(f) || (!front && !seen)) {
       add_whole_facet(f, inside, seen);
       return;
     }
     std::vector<BorderPoint> border;
-    for (const ViewBorderPoint& p : view_border(scene_, points_, edge_points_, f, {}, inner_))
-      border.push_back(p.border);
+    for (const ViewBorderPoint& p : view_border(from_, f, {}, inner_)) border.push_back(p.border);
     add_convex(f, border, inside, seen);
     add_outside(f, {});
   }
@@ -153,53 +151,36 @@ class SurfaceLabeller {
   // than the grid, and its image is no polygon. Such a surface gets one label, that of most of its area.
   bool add_partly_visible(std::size_t begin, std::size_t end, const std::vector<SegmentId>& visible,
                           std::span<const ReflectingSegment> reflecting) {
-    const bool front = scene_.facing[begin] == Facing::front;
+    const bool front = scene_.facing[begin] == FacetFacing::front;
     SurfaceInView surface{FacetId(begin), !front, {}, visible, reflecting};
     for (std::size_t f = begin; f < end; ++f) {
-      if (scene_.status[f] != Status::in_view) continue;
-      surface.borders.push_back(
-          view_border(scene_, points_, edge_points_, FacetId(f), border_splits_of(FacetId(f)), inner_));
+      if (scene_.status[f] != FacetStatus::in_view) continue;
+      surface.borders.push_back(view_border(from_, FacetId(f), from_.border_splits_of(FacetId(f)), inner_));
     }
-    std::vector<Piece> pieces;
+    std::vector<SurfaceTriangle> triangles;
     try {
-      pieces = visible_pieces(scene_, points_, segments_, surface, edge_points_, vertices_, inner_);
+      triangles = surface_triangles(from_, surface, vertices_, inner_);
     } catch (const ConstraintConflict&) {
       return false;
     }
-    for (const Piece& piece : pieces) {
-      const Label label = !front ? Label::back_facing : (piece.visible ? Label::visible : Label::hidden);
-      add_triangle(FacetId(begin), piece.corners, label, piece.visible);
-      triangles_.back().reflecting = piece.reflecting;
+    for (const SurfaceTriangle& triangle : triangles) {
+      const Label label = !front ? Label::back_facing : (triangle.visible ? Label::visible : Label::hidden);
+      add_triangle(FacetId(begin), triangle.corners, label, triangle.visible);
+      triangles_.back().reflecting = triangle.reflecting;
     }
     for (std::size_t f = begin; f < end; ++f) {
-      if (scene_.status[f] != Status::in_view) {
+      if (scene_.status[f] != FacetStatus::in_view) {
         add_uniform(FacetId(f), false);
       } else if (is_clipped(FacetId(f))) {
-        add_outside(FacetId(f), border_splits_of(FacetId(f)));
+        add_outside(FacetId(f), from_.border_splits_of(FacetId(f)));
       }
     }
     return true;
   }
 
-  [[nodiscard]] std::span<const ReflectingSegment> reflecting_on(FacetId surface) const {
-    const auto by_surface = [](const ReflectingSegment& a, const ReflectingSegment& b) {
-      return a.segment.facet < b.segment.facet;
-    };
-    ReflectingSegment wanted;
-    wanted.segment.facet = surface;
-    const auto [first, last] = std::equal_range(from_.reflecting.begin(), from_.reflecting.end(), wanted, by_surface);
-    return {first, last};
-  }
-
-  [[nodiscard]] std::span<const EdgeSplit> border_splits_of(FacetId f) const {
-    const auto [first, last] =
-        std::equal_range(from_.border_splits.begin(), from_.border_splits.end(), EdgeSplit{{}, f, {}, {}}, by_facet);
-    return {first, last};
-  }
-
   void add_outside(FacetId f, std::span<const EdgeSplit> splits) {
-    const Label label = scene_.facing[f.index()] == Facing::front ? Label::out_of_view : Label::back_facing;
-    for (const auto& corners : outside_pieces(scene_, points_, edge_points_, f, splits, inner_)) {
+    const Label label = scene_.facing[f.index()] == FacetFacing::front ? Label::out_of_view : Label::back_facing;
+    for (const auto& corners : outside_triangles(from_, f, splits, inner_)) {
       add_triangle(f, corners, label, false);
     }
   }
@@ -222,7 +203,7 @@ class SurfaceLabeller {
     for (const BorderPoint& p : border) sides.push_back(p.side);
     std::sort(sides.begin(), sides.end());
     if (std::unique(sides.begin(), sides.end()) - sides.begin() < 3) return;
-    for (const auto& corners : convex_pieces(border)) add_triangle(f, corners, label, seen);
+    for (const auto& corners : convex_triangles(border)) add_triangle(f, corners, label, seen);
   }
 
   void add_triangle(FacetId f, const std::array<VertexId, 3>& corners, Label label, bool seen) {
@@ -243,35 +224,7 @@ class SurfaceLabeller {
   std::size_t next_polygon_ = 0;
 };
 
-// Returns the mesh's vertices, with room for the points on its edges.
-std::vector<Point3> vertices_with_room(const ProjectedScene& scene, const VisibleSegments& segments) {
-  const CutMesh& mesh = scene.mesh();
-  std::vector<Point3> vertices;
-  vertices.reserve(mesh.vertices.size() + scene.made_corners.size() + segments.splits.size());
-  vertices.assign(mesh.vertices.begin(), mesh.vertices.end());
-  return vertices;
-}
-
 }  // namespace
-
-// In the body the names are the parameters'.
-LabelSources::LabelSources(const ProjectedScene& scene, const VisibleSegments& segments,
-                           const VisiblePolygons& polygons, const PanelBorders& panels)
-    : mesh(scene.mesh()),
-      scene(scene),
-      segments(segments),
-      polygons(polygons),
-      points(scene, segments),
-      vertices(vertices_with_room(scene, segments)),
-      edge_points(scene, segments, points, vertices) {
-  const auto is_of_edge = [](const EdgeSplit& split) { return split.mesh_edge.valid(); };
-  border_splits.assign(std::ranges::partition_point(segments.splits, is_of_edge), segments.splits.end());
-  std::sort(border_splits.begin(), border_splits.end(), by_facet);
-  for (std::size_t panel = 0; panel < panels.size(); ++panel) {
-    for (const VisibleSegment& segment : panels[panel]) reflecting.push_back({segment, panel});
-  }
-  std::ranges::stable_sort(reflecting, {}, [](const ReflectingSegment& r) { return r.segment.facet; });
-}
 
 LabelledPart label_surfaces(const LabelSources& from, std::size_t begin, std::size_t end) {
   return SurfaceLabeller(from).run(begin, end);

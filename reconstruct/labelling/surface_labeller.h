@@ -9,26 +9,10 @@
 
 #include <vector>
 
-#include "reconstruct/labelling/edge_points.h"
+#include "reconstruct/labelling/label_sources.h"
 #include "reconstruct/labelling/labelled_mesh.h"
-#include "reconstruct/labelling/visible_pieces.h"
 
 namespace sightline::inline reconstruct {
-
-struct LabelSources {
-  LabelSources(const ProjectedScene& scene, const VisibleSegments& segments, const VisiblePolygons& polygons,
-               const PanelBorders& panels);
-
-  const CutMesh& mesh;
-  const ProjectedScene& scene;
-  const VisibleSegments& segments;
-  const VisiblePolygons& polygons;
-  const ImagePoints points;
-  std::vector<Point3> vertices;  // the mesh's, then the points on its edges
-  const EdgePoints edge_points;
-  std::vector<EdgeSplit> border_splits;       // along the view volume's border, by facet
-  std::vector<ReflectingSegment> reflecting;  // by surface, then by panel
-};
 
 struct LabelledPart {
   std::vector<LabelledTriangle> triangles;

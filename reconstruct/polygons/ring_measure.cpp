@@ -6,29 +6,27 @@ namespace sightline::inline reconstruct {
 namespace {
 
 constexpr double difference_error = 2 * crossing_error + 0x1p-11;
-// This is what the bounds' own rounding may take away.
-constexpr double bound_margin = 1 + 0x1p-20;
+
+struct Difference {
+  Bounded x;
+  Bounded y;
+};
+
+Difference operator-(const Point2& b, const Point2& a) {
+  return {{b.x - a.x, difference_error}, {b.y - a.y, difference_error}};
+}
+
+Bounded length(const Difference& d) {
+  const double value = std::hypot(d.x.value, d.y.value);
+  return {value, Bounded::widened(2 * difference_error + 0x1p-52 * value)};
+}
 
 }  // namespace
 
 RingMeasure& RingMeasure::operator+=(const RingMeasure& other) {
   twice_area += other.twice_area;
   perimeter += other.perimeter;
-  differences += other.differences;
-  products += other.products;
-  terms += other.terms;
   return *this;
-}
-
-double RingMeasure::area_error() const {
-  const auto n = static_cast<double>(terms);
-  const double of_points = difference_error * differences + 2 * difference_error * difference_error * n;
-  return bound_margin * (of_points + (n + 2) * 0x1p-53 * products);
-}
-
-double RingMeasure::perimeter_error() const {
-  const auto n = static_cast<double>(terms);
-  return bound_margin * (2 * difference_error * n + (n + 2) * 0x1p-53 * perimeter);
 }
 
 RingMeasure measure(const ImagePoints& points, const VisibleSegments& segments, std::span<const SegmentId> ring) {
@@ -37,14 +35,11 @@ RingMeasure measure(const ImagePoints& points, const VisibleSegments& segments, 
   for (const SegmentId s : ring) {
     const Point2 a = points.approximate(segments.segments[s.index()].start);
     const Point2 b = points.approximate(segments.segments[s.index()].end);
-    const Point2 u{a.x - origin.x, a.y - origin.y};
-    const Point2 v{b.x - origin.x, b.y - origin.y};
+    const Difference u = a - origin;
+    const Difference v = b - origin;
     m.twice_area += u.x * v.y - u.y * v.x;
-    m.perimeter += std::hypot(b.x - a.x, b.y - a.y);
-    m.differences += (std::fabs(u.x) + std::fabs(u.y)) + (std::fabs(v.x) + std::fabs(v.y));
-    m.products += std::fabs(u.x * v.y) + std::fabs(u.y * v.x);
+    m.perimeter += length(b - a);
   }
-  m.terms = ring.size();
   return m;
 }
 
@@ -65,9 +60,8 @@ ExactArea exact_twice_area(const ImagePoints& points, const VisibleSegments& seg
 }
 
 Sign area_sign(const ImagePoints& points, const VisibleSegments& segments, std::span<const SegmentId> ring) {
-  const RingMeasure m = measure(points, segments, ring);
-  if (std::fabs(m.twice_area) > m.area_error()) return sign_of(m.twice_area);
-  return sign_of(exact_twice_area(points, segments, ring).numerator);
+  const auto sign = certain_sign(measure(points, segments, ring).twice_area);
+  return sign ? *sign : sign_of(exact_twice_area(points, segments, ring).numerator);
 }
 
 }  // namespace sightline::inline reconstruct

@@ -180,11 +180,11 @@ class PolygonCheck {
     const double twice_area = std::ldexp(2 * polygon.area, 2 * scene_.grid_bits);
     const double perimeter = std::ldexp(polygon.perimeter, scene_.grid_bits);
     // Both may be off by the bound.
-    if (!(std::fabs(twice_area - m.twice_area) <= 2 * m.area_error()))
+    if (!(std::fabs(twice_area - m.twice_area.value) <= 2 * m.twice_area.radius))
       messages_.push_back(polygon_name(p) + " has another area than the one recorded");
     else if (p % (1 + polygons_.polygons.size() / exact_areas) == 0)
-      check_exact_area(p, twice_area, m.area_error());
-    if (!(std::fabs(perimeter - m.perimeter) <= 2 * m.perimeter_error()))
+      check_exact_area(p, twice_area, m.twice_area.radius);
+    if (!(std::fabs(perimeter - m.perimeter.value) <= 2 * m.perimeter.radius))
       messages_.push_back(polygon_name(p) + " has another perimeter than the one recorded");
     if (polygon.below_resolution != (twice_area < perimeter))
       messages_.push_back(polygon_name(p) + (polygon.below_resolution ? " is not" : " is") + " below resolution");

@@ -161,9 +161,9 @@ class Reconstruction {
     polygon.face = from_.mesh.facet_face[surface.index()];
     polygon.first_ring = first_ring;
     polygon.ring_count = static_cast<std::uint32_t>(result_.ring_count()) - first_ring;
-    polygon.below_resolution = total.twice_area < total.perimeter;
-    polygon.area = std::ldexp(total.twice_area / 2, -2 * from_.scene.grid_bits);
-    polygon.perimeter = std::ldexp(total.perimeter, -from_.scene.grid_bits);
+    polygon.below_resolution = total.twice_area.value < total.perimeter.value;
+    polygon.area = std::ldexp(total.twice_area.value / 2, -2 * from_.scene.grid_bits);
+    polygon.perimeter = std::ldexp(total.perimeter.value, -from_.scene.grid_bits);
     result_.polygons.push_back(polygon);
   }
 

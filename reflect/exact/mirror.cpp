@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "reflect/world/wholes.h"
+#include "reflect/world/uncut_facets.h"
 
 namespace sightline::inline reflect {
 namespace {
@@ -29,9 +29,9 @@ WindowPart widened(const WindowPart& part, int grid_bits) {
   return {part.left - spacing, part.right + spacing, part.bottom - spacing, part.top + spacing};
 }
 
-std::vector<Point3> corners_of(const CutMesh& mesh, WholeId whole) {
+std::vector<Point3> corners_of(const CutMesh& mesh, UncutFacetId uncut) {
   std::vector<Point3> corners;
-  for (const VertexId v : whole_corners(mesh, whole)) corners.push_back(mesh.position(v));
+  for (const VertexId v : mesh.uncut_corners(uncut)) corners.push_back(mesh.position(v));
   return corners;
 }
 
@@ -43,7 +43,7 @@ void add_if_any(std::vector<ImagePolygon>& polygons, ImagePolygon polygon) {
 
 Mirror::Mirror(const MirrorWorld& world, const ProjectedScene& scene, FacetId surface) : world_(world), scene_(scene) {
   std::array<Point3, 3> plane = plane_points(*world.surface, surface);
-  if (scene.facing[surface.index()] == Facing::back) std::swap(plane[1], plane[2]);
+  if (scene.facing[surface.index()] == FacetFacing::back) std::swap(plane[1], plane[2]);
   forms_ = mirrored_forms(scene.camera, plane);
 }
 
@@ -83,8 +83,9 @@ const Mirror::PanelImage& Mirror::image_of(std::size_t panel) {
   image.towards_centre = side > 0 ? plane : plane.turned();
   image.towards_centre_form = side > 0 ? form : -form;
   for (std::size_t f = 0; f < mesh.facet_count(); ++f) {
-    auto polygon = certain_image(forms_, scene_.camera, corners_of(mesh, WholeId(f)), scene_.grid_bits);
-    add_if_any(image.polygons, polygon ? *std::move(polygon) : exact_view().image(whole_polygon(mesh, WholeId(f))));
+    auto polygon = certain_image(forms_, scene_.camera, corners_of(mesh, UncutFacetId(f)), scene_.grid_bits);
+    add_if_any(image.polygons,
+               polygon ? *std::move(polygon) : exact_view().image(uncut_polygon(mesh, UncutFacetId(f))));
   }
   image.part = around(image.polygons, scene_.grid_bits);
   return image;
@@ -94,7 +95,7 @@ std::vector<ImagePolygon> Mirror::shadows(const WindowPart& part, std::size_t pa
                                           ReflectionStatistics& statistics) {
   const Pyramid pyramid(forms_, widened(part, scene_.grid_bits));
   std::vector<ImagePolygon> shadows;
-  for (const WholeId obstacle : world_.obstacles.in([&](const Box& box) { return pyramid.may_touch(box); })) {
+  for (const UncutFacetId obstacle : world_.obstacles.in([&](const Box& box) { return pyramid.may_touch(box); })) {
     ++statistics.obstacles;
     add_if_any(shadows, shadow(*world_.surface, obstacle, image));
   }
@@ -102,7 +103,7 @@ std::vector<ImagePolygon> Mirror::shadows(const WindowPart& part, std::size_t pa
     if (p == panel || !pyramid.may_touch(world_.panel_boxes[p])) continue;
     for (std::size_t f = 0; f < world_.panel_meshes[p].facet_count(); ++f) {
       ++statistics.obstacles;
-      add_if_any(shadows, shadow(world_.panel_meshes[p], WholeId(f), image));
+      add_if_any(shadows, shadow(world_.panel_meshes[p], UncutFacetId(f), image));
     }
   }
   statistics.blocked += shadows.empty() ? 0 : 1;
@@ -110,12 +111,12 @@ std::vector<ImagePolygon> Mirror::shadows(const WindowPart& part, std::size_t pa
 }
 
 // Certified numbers decide nearly always.
-ImagePolygon Mirror::shadow(const CutMesh& mesh, WholeId obstacle, const PanelImage& image) {
+ImagePolygon Mirror::shadow(const CutMesh& mesh, UncutFacetId obstacle, const PanelImage& image) {
   const std::vector<Point3> corners = corners_of(mesh, obstacle);
   if (image.towards_centre_form.is_positive_at(corners)) {
     if (auto certain = certain_image(forms_, scene_.camera, corners, scene_.grid_bits)) return *std::move(certain);
   }
-  const CutPolygon before_panel = part_in_front(whole_polygon(mesh, obstacle), image.towards_centre);
+  const CutPolygon before_panel = part_in_front(uncut_polygon(mesh, obstacle), image.towards_centre);
   return before_panel.empty() ? ImagePolygon{} : exact_view().image(before_panel);
 }
 

@@ -49,7 +49,7 @@ class Mirror {
   [[nodiscard]] const PanelImage& image_of(std::size_t panel);
   [[nodiscard]] std::vector<ImagePolygon> shadows(const WindowPart& part, std::size_t panel, const PanelImage& image,
                                                   ReflectionStatistics& statistics);
-  [[nodiscard]] ImagePolygon shadow(const CutMesh& mesh, WholeId obstacle, const PanelImage& image);
+  [[nodiscard]] ImagePolygon shadow(const CutMesh& mesh, UncutFacetId obstacle, const PanelImage& image);
   [[nodiscard]] MirrorView& exact_view();
 
   const MirrorWorld& world_;

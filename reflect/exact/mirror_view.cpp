@@ -9,7 +9,7 @@
 namespace sightline::inline reflect {
 namespace {
 
-ExactPlane sum(const ExactPlane& p, const ExactPlane& q) { return {p.a + q.a, p.b + q.b, p.c + q.c, p.d + q.d}; }
+ExactPlane sum(const ExactPlane& p, const ExactPlane& q) { return {p.normal + q.normal, p.offset + q.offset}; }
 
 // A camera's X, Y and W are forms with integer coefficients over one common positive factor.
 struct CameraPlanes {
@@ -21,25 +21,24 @@ CameraPlanes camera_planes(const Camera& camera) {
   const BigInteger& unit = forms.unit;
   // The form is row . (v - origin), times unit * unit.
   const auto plane = [&](const CameraForms<BigInteger>::Vector& row) {
-    return ExactPlane{row.x() * unit, row.y() * unit, row.z() * unit, -forms.value(row, forms.origin)};
+    return ExactPlane{unit * row, -forms.value(row, forms.origin)};
   };
   return {plane(forms.right), plane(forms.up),
-          forms.perspective ? plane(forms.forward) : ExactPlane{0, 0, 0, forms.one}};
+          forms.perspective ? plane(forms.forward) : ExactPlane{ExactVector(0, 0, 0), forms.one}};
 }
 
 // Returns the form that gives a point what `form` gives its mirror image, times n . n > 0: a point v has the image v -
 // 2 h(v) / (n . n) n, with the mirror's form h and its normal n.
 ExactPlane in_mirror(const ExactPlane& form, const ExactPlane& mirror) {
-  const BigInteger norm = mirror.a * mirror.a + mirror.b * mirror.b + mirror.c * mirror.c;
-  const BigInteger twice = 2 * (form.a * mirror.a + form.b * mirror.b + form.c * mirror.c);
-  return {norm * form.a - twice * mirror.a, norm * form.b - twice * mirror.b, norm * form.c - twice * mirror.c,
-          norm * form.d - twice * mirror.d};
+  const BigInteger square = dot(mirror.normal, mirror.normal);
+  const BigInteger twice = 2 * dot(form.normal, mirror.normal);
+  return {square * form.normal - twice * mirror.normal, square * form.offset - twice * mirror.offset};
 }
 
 ExactPosition mirrored(const ExactPosition& p, const ExactPlane& mirror) {
-  const BigInteger norm = mirror.a * mirror.a + mirror.b * mirror.b + mirror.c * mirror.c;
+  const BigInteger square = dot(mirror.normal, mirror.normal);
   const BigInteger twice = 2 * mirror.height(p);
-  return {norm * p.x - twice * mirror.a, norm * p.y - twice * mirror.b, norm * p.z - twice * mirror.c, norm * p.w};
+  return {square * p.xyz - twice * mirror.normal, square * p.w};
 }
 
 }  // namespace

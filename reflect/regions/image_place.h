@@ -39,12 +39,12 @@ struct ImagePlace {
 // Returns +1 where, below a common point, a lies left of b; 0 where they are parallel.
 [[nodiscard]] Sign turn(const ImageLine& a, const ImageLine& b);
 
-// The border of a region of the image consists of directed pieces, which have the region to their left.
-struct BorderPiece {
+// The border of a region of the image consists of directed segments, which have the region to their left.
+struct BorderSegment {
   ImagePlace start;
   ImagePlace end;
   ImageLine line;  // that it lies on
 };
-using RegionBorder = std::vector<BorderPiece>;
+using RegionBorder = std::vector<BorderSegment>;
 
 }  // namespace sightline::inline reflect

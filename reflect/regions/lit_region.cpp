@@ -39,7 +39,8 @@ ImagePlace place_of(const ProjectedScene& scene, const VisibleSegments& segments
 
 }  // namespace
 
-BorderPiece border_piece(const ProjectedScene& scene, const VisibleSegments& segments, const VisibleSegment& segment) {
+BorderSegment border_segment(const ProjectedScene& scene, const VisibleSegments& segments,
+                             const VisibleSegment& segment) {
   const SceneEdge& edge = scene.edge(segment.edge);
   return {place_of(scene, segments, segment.start),
           place_of(scene, segments, segment.end),
@@ -61,7 +62,7 @@ RegionBorder lit_region(const std::vector<ImagePolygon>& panel, const std::vecto
   const VisibleSegments segments = plain_sweep(scene);
   for (const VisibleSegment& segment : segments.segments) {
     if (scene.mesh().facet_face[segment.facet.index()].index() < lit)
-      border.push_back(border_piece(scene, segments, segment));
+      border.push_back(border_segment(scene, segments, segment));
   }
   return border;
 }

@@ -2,7 +2,7 @@
 //
 // In:  convex polygons of the image (but for rounding): the panel's, and the shadows: the images of what is between the
 //      mirror and the panel.
-// Out: the border of what is lit, in directed pieces: a place is lit where they wind around it more than zero times.
+// Out: the border of what is lit, in directed segments: a place is lit where they wind around it more than zero times.
 // Method: which obstacle is nearer is of no interest, only that all are before the panel. So the polygons become sheets
 // of paper, the shadows above the panel, looked at straight down, and the sweep of the surface itself finds what is
 // seen of the panel. Their coordinates are integers, so that nothing is rounded again.
@@ -21,7 +21,7 @@ namespace sightline::inline reflect {
 [[nodiscard]] RegionBorder lit_region(const std::vector<ImagePolygon>& panel, const std::vector<ImagePolygon>& shadows,
                                       int grid_bits);
 
-[[nodiscard]] BorderPiece border_piece(const ProjectedScene& scene, const VisibleSegments& segments,
-                                       const VisibleSegment& segment);
+[[nodiscard]] BorderSegment border_segment(const ProjectedScene& scene, const VisibleSegments& segments,
+                                           const VisibleSegment& segment);
 
 }  // namespace sightline::inline reflect

@@ -2,7 +2,7 @@
 //
 // In:  the polygon's border. Out: whether a square is certainly outside, certainly inside, or perhaps across the
 //      border.
-// Complexity: O(n) per square for n pieces.
+// Complexity: O(n) per square for n segments.
 #pragma once
 
 #include <vector>

@@ -35,7 +35,7 @@ MirrorCell::MirrorCell(const ImagePoint& low, std::int64_t size, const SmoothRay
       places_{low, {low.x + size, low.y}, {low.x + size, low.y + size}, {low.x, low.y + size}} {
   for (std::size_t i = 0; i < places_.size(); ++i) {
     const Point2 place = in_window(places_[i], grid_bits);
-    const std::optional<MirroredRay> ray = rays.at(place.x, place.y);
+    const std::optional<MirroredRay> ray = rays.ray_at(place.x, place.y);
     is_known_ = is_known_ && ray.has_value();
     rays_[i] = ray.value_or(MirroredRay{});
     upright_[i] = plane_beside(rays_[i], rays_[i].upward, rays_[i].rightward);

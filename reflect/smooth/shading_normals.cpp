@@ -5,13 +5,13 @@
 #include "geometry/mesh/facet_plane.h"
 #include "geometry/numbers/vector3.h"
 #include "reflect/world/mirror_world.h"
-#include "reflect/world/wholes.h"
+#include "reflect/world/uncut_facets.h"
 
 namespace sightline::inline reflect {
 namespace {
 
 // Returns the normal at the face's corner that is this vertex; zero where there are none.
-Vector3 normal_at(const CutMesh& mesh, const std::vector<Vector3>& normals, FaceId face, VertexId vertex) {
+Vector3 corner_normal(const CutMesh& mesh, const std::vector<Vector3>& normals, FaceId face, VertexId vertex) {
   if (normals.empty()) return Vector3::Zero();
   const auto corners = mesh.faces[face.index()];
   const auto corner = std::ranges::find(corners, vertex);
@@ -21,22 +21,18 @@ Vector3 normal_at(const CutMesh& mesh, const std::vector<Vector3>& normals, Face
 
 double clamped(double barycentric) { return std::clamp(barycentric, -1.0, 2.0); }
 
-WholeId whole_of(const CutMesh& mesh, std::size_t facet) {
-  return mesh.is_cut() ? mesh.cuts.whole_of[facet] : WholeId(facet);
-}
-
 }  // namespace
 
 ShadingNormals::ShadingNormals(const CutMesh& mesh, const std::vector<Vector3>& vertex_normals, FacetId surface) {
   const std::array<Point3, 3> plane = plane_points(mesh, surface);
   scale_ = unit_scale(plane);
   plane_normal_ = unit((scale_ * plane[1] - scale_ * plane[0]).cross(scale_ * plane[2] - scale_ * plane[0]));
-  WholeId last;
+  UncutFacetId last;
   for (std::size_t f = surface.index(); f < end_of_surface(mesh, surface).index(); ++f) {
-    const WholeId whole = whole_of(mesh, f);
-    if (whole == last) continue;
-    last = whole;
-    const auto corners = whole_corners(mesh, whole);
+    const UncutFacetId uncut = mesh.uncut_facet(FacetId(f));
+    if (uncut == last) continue;
+    last = uncut;
+    const auto corners = mesh.uncut_corners(uncut);
     for (std::size_t i = 1; i + 1 < corners.size(); ++i)
       add(mesh, vertex_normals, mesh.facet_face[f], {corners[0], corners[i], corners[i + 1]});
   }
@@ -51,11 +47,11 @@ void ShadingNormals::add(const CutMesh& mesh, const std::vector<Vector3>& vertex
   const double square = normal.dot(normal);
   if (!(square > 0)) return;
   Triangle triangle{position(0), (1 / square) * third.cross(normal), (1 / square) * normal.cross(second), {}};
-  for (std::size_t i = 0; i < 3; ++i) triangle.normals[i] = normal_at(mesh, vertex_normals, face, corners[i]);
+  for (std::size_t i = 0; i < 3; ++i) triangle.normals[i] = corner_normal(mesh, vertex_normals, face, corners[i]);
   triangles_.push_back(triangle);
 }
 
-Vector3 ShadingNormals::at(const Point3& p) const {
+Vector3 ShadingNormals::normal_at(const Point3& p) const {
   Vector3 found = Vector3::Zero();
   double least_of_found = 0;
   for (const Triangle& triangle : triangles_) {

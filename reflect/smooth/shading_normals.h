@@ -20,7 +20,7 @@ class ShadingNormals {
   ShadingNormals(const CutMesh& mesh, const std::vector<Vector3>& vertex_normals, FacetId surface);
 
   // The normal has length 1.
-  [[nodiscard]] Vector3 at(const Point3& p) const;
+  [[nodiscard]] Vector3 normal_at(const Point3& p) const;
   [[nodiscard]] const Vector3& of_plane() const { return plane_normal_; }
 
  private:

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "reflect/world/wholes.h"
+#include "reflect/world/uncut_facets.h"
 
 namespace sightline::inline reflect {
 namespace {
@@ -24,10 +24,10 @@ std::int64_t smallest_size(int grid_bits) {
 // Closed rings that run counter-clockwise count positive. They are measured around the first place, to keep digits.
 double area_of(const RegionBorder& border) {
   double twice = 0;
-  for (const BorderPiece& piece : border) {
+  for (const BorderSegment& segment : border) {
     const CrossingPoint& origin = border.front().start.at;
-    const CrossingPoint& p = piece.start.at;
-    const CrossingPoint& q = piece.end.at;
+    const CrossingPoint& p = segment.start.at;
+    const CrossingPoint& q = segment.end.at;
     twice += (p.x - origin.x) * (q.y - origin.y) - (p.y - origin.y) * (q.x - origin.x);
   }
   return twice / 2;
@@ -67,7 +67,7 @@ SmoothMirror::SmoothMirror(const MirrorWorld& world, const ProjectedScene& scene
       normals_(*world.surface, world.normals, surface),
       rays_(scene.camera, normals_, plane_points(*world.surface, surface)[0], world.scale) {
   std::array<Point3, 3> plane = plane_points(*world.surface, surface);
-  if (scene.facing[surface.index()] == Facing::back) std::swap(plane[1], plane[2]);
+  if (scene.facing[surface.index()] == FacetFacing::back) std::swap(plane[1], plane[2]);
   exact_plane_ = plane_through(plane);
   plane_form_ = plane_form(world.scale * plane[0], world.scale * plane[1], world.scale * plane[2]);
 }
@@ -155,7 +155,7 @@ RegionBorder SmoothMirror::reflected_in(const MirrorCell& cell, PanelFace& face,
   std::array<Cover, MirrorCell::halves> images;
   bool is_empty = true;
   for (std::size_t half = 0; half < images.size(); ++half) {
-    for (const SpacePolygon& piece : face.pieces) images[half].add(cell.reflecting(half, piece, face.side));
+    for (const SpacePolygon& part : face.parts) images[half].add(cell.reflecting(half, part, face.side));
     is_empty = is_empty && images[half].polygons.empty();
   }
   RegionBorder border;
@@ -181,16 +181,16 @@ std::vector<const SmoothMirror::SpacePolygon*> SmoothMirror::obstacles_before(co
     return plane_form_.highest(scaled) > 0 && cell.may_reach(scaled);
   };
   std::vector<const SpacePolygon*> result;
-  const auto add = [&](const CutMesh& mesh, std::size_t number, WholeId whole) {
+  const auto add = [&](const CutMesh& mesh, std::size_t number, UncutFacetId uncut) {
     ++statistics.obstacles;
-    const SpacePolygon& obstacle = part_before(face, mesh, number, whole);
+    const SpacePolygon& obstacle = part_before(face, mesh, number, uncut);
     if (!obstacle.empty()) result.push_back(&obstacle);
   };
-  for (const WholeId whole : world_.obstacles.in(may_reach)) add(*world_.surface, world_.panels.size(), whole);
+  for (const UncutFacetId uncut : world_.obstacles.in(may_reach)) add(*world_.surface, world_.panels.size(), uncut);
   for (std::size_t p = 0; p < world_.panels.size(); ++p) {
     if (p == face.panel || !may_reach(world_.panel_boxes[p])) continue;
     const CutMesh& mesh = world_.panel_meshes[p];
-    for (std::size_t f = 0; f < mesh.facet_count(); ++f) add(mesh, p, WholeId(f));
+    for (std::size_t f = 0; f < mesh.facet_count(); ++f) add(mesh, p, UncutFacetId(f));
   }
   return result;
 }
@@ -200,25 +200,25 @@ std::vector<SmoothMirror::PanelFace>& SmoothMirror::faces_of(std::size_t panel) 
   const auto [found, is_new] = faces_.try_emplace(panel);
   std::vector<PanelFace>& faces = found->second;
   if (!is_new) return faces;
-  std::vector<SpacePolygon> pieces;
+  std::vector<SpacePolygon> parts;
   const CutMesh& mesh = world_.panel_meshes[panel];
   for (std::size_t f = 0; f < mesh.facet_count(); ++f) {
-    SpacePolygon piece = scaled(part_in_front(whole_polygon(mesh, WholeId(f)), exact_plane_));
-    if (!piece.empty()) pieces.push_back(std::move(piece));
+    SpacePolygon part = scaled(part_in_front(uncut_polygon(mesh, UncutFacetId(f)), exact_plane_));
+    if (!part.empty()) parts.push_back(std::move(part));
   }
-  if (pieces.empty()) return faces;
+  if (parts.empty()) return faces;
   const ExactPlane& plane = world_.panel_planes[panel];
-  faces.push_back({panel, PolygonSide::front, plane, pieces, {}});
+  faces.push_back({panel, PolygonSide::front, plane, parts, {}});
   if (world_.panels[panel].emits == Emits::both)
-    faces.push_back({panel, PolygonSide::back, plane.turned(), std::move(pieces), {}});
+    faces.push_back({panel, PolygonSide::back, plane.turned(), std::move(parts), {}});
   return faces;
 }
 
 const SmoothMirror::SpacePolygon& SmoothMirror::part_before(PanelFace& face, const CutMesh& mesh, std::size_t number,
-                                                            WholeId whole) const {
-  const auto [found, is_new] = face.obstacles.try_emplace({number, whole});
+                                                            UncutFacetId uncut) const {
+  const auto [found, is_new] = face.obstacles.try_emplace({number, uncut});
   if (is_new)
-    found->second = scaled(part_in_front(part_in_front(whole_polygon(mesh, whole), exact_plane_), face.plane));
+    found->second = scaled(part_in_front(part_in_front(uncut_polygon(mesh, uncut), exact_plane_), face.plane));
   return found->second;
 }
 

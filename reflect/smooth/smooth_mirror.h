@@ -53,11 +53,11 @@ class SmoothMirror {
   struct PanelFace {
     std::size_t panel = 0;
     PolygonSide side = PolygonSide::front;
-    ExactPlane plane;                  // with the emitting side in front
-    std::vector<SpacePolygon> pieces;  // what of it is before the mirror
+    ExactPlane plane;                 // with the emitting side in front
+    std::vector<SpacePolygon> parts;  // what of it is before the mirror
     // Each obstacle has what of it is before the mirror and the panel. It is named by the number of its panel, or by
     // that behind the last one for the surface.
-    std::map<std::pair<std::size_t, WholeId>, SpacePolygon> obstacles;
+    std::map<std::pair<std::size_t, UncutFacetId>, SpacePolygon> obstacles;
   };
 
   // A search is for one polygon and panel.
@@ -78,7 +78,7 @@ class SmoothMirror {
                                                                   ReflectionStatistics& statistics) const;
   [[nodiscard]] std::vector<PanelFace>& faces_of(std::size_t panel);
   [[nodiscard]] const SpacePolygon& part_before(PanelFace& face, const CutMesh& mesh, std::size_t number,
-                                                WholeId whole) const;
+                                                UncutFacetId uncut) const;
   [[nodiscard]] SpacePolygon scaled(const CutPolygon& polygon) const;
 
   const MirrorWorld& world_;

@@ -31,14 +31,14 @@ SmoothRays::Ray SmoothRays::ray_through(double x, double y) const {
   return {origin_ + scale_ * beside, axes_[2]};
 }
 
-std::optional<MirroredRay> SmoothRays::at(double x, double y) const {
+std::optional<MirroredRay> SmoothRays::ray_at(double x, double y) const {
   const Ray ray = ray_through(x, y);
   const Vector3& plane_normal = normals_.of_plane();
   const double towards = plane_normal.dot(ray.direction);
   const double distance = plane_normal.dot(point_of_plane_ - ray.point) / towards;
   const Point3 place = ray.point + distance * ray.direction;
   if (!is_finite(place) || (perspective_ && distance <= 0)) return std::nullopt;
-  const Vector3 normal = normals_.at((1 / scale_) * place);
+  const Vector3 normal = normals_.normal_at((1 / scale_) * place);
   MirroredRay result;
   result.direction = mirrored(ray.direction, normal);
   result.point = perspective_ ? place + mirrored(ray.point - place, normal) : place;

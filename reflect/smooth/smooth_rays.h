@@ -28,7 +28,7 @@ class SmoothRays {
  public:
   SmoothRays(const Camera& camera, const ShadingNormals& normals, const Point3& point_of_plane, double scale);
 
-  [[nodiscard]] std::optional<MirroredRay> at(double x, double y) const;
+  [[nodiscard]] std::optional<MirroredRay> ray_at(double x, double y) const;
 
  private:
   // This is a ray of the camera.

@@ -6,7 +6,7 @@
 
 #include "reflect/smooth/shading_normals.h"
 #include "reflect/triangles/vertex_pyramid.h"
-#include "reflect/world/wholes.h"
+#include "reflect/world/uncut_facets.h"
 
 namespace sightline::inline reflect {
 namespace {
@@ -131,8 +131,9 @@ class Marker {
     for (std::size_t i = 0; i < rays.size(); ++i) {
       const Point3 from = corner(triangle, i);
       const Vector3 incoming = eye_.w == 0 ? forward_ : from - eye_.xyz;
-      const Vector3 normal =
-          world_.normals.empty() ? normals_->of_plane() : normals_->at(labelled_.vertices[triangle.corners[i].index()]);
+      const Vector3 normal = world_.normals.empty()
+                                 ? normals_->of_plane()
+                                 : normals_->normal_at(labelled_.vertices[triangle.corners[i].index()]);
       rays[i] = {from, incoming - (2 * incoming.dot(normal)) * normal};
     }
     return rays;

@@ -1,7 +1,7 @@
 #include "reflect/world/mirror_world.h"
 
 #include "geometry/mesh/vertex_normals.h"
-#include "reflect/world/wholes.h"
+#include "reflect/world/uncut_facets.h"
 
 namespace sightline::inline reflect {
 
@@ -21,12 +21,13 @@ const char* to_string(MirrorNormals normals) { return normals == MirrorNormals::
 
 Obstacles::Obstacles(const CutMesh& mesh) {
   std::vector<Box> boxes;
-  for (std::size_t w = 0; w < mesh.whole_count(); ++w) boxes.push_back(box_of(mesh, whole_corners(mesh, WholeId(w))));
+  for (std::size_t w = 0; w < mesh.uncut_facet_count(); ++w)
+    boxes.push_back(box_of(mesh, mesh.uncut_corners(UncutFacetId(w))));
   hierarchy_ = build_hierarchy(boxes);
 }
 
-std::vector<WholeId> Obstacles::in(const std::function<bool(const Box&)>& may_touch) const {
-  std::vector<WholeId> found;
+std::vector<UncutFacetId> Obstacles::in(const std::function<bool(const Box&)>& may_touch) const {
+  std::vector<UncutFacetId> found;
   for_each_touched_item(hierarchy_, may_touch, [&](const BoxHierarchy::Item& item) { found.emplace_back(item.index); });
   return found;
 }

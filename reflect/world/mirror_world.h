@@ -25,7 +25,7 @@ class Obstacles {
   explicit Obstacles(const CutMesh& mesh);
 
   // `may_touch` is false where a box has no point in the pyramid.
-  [[nodiscard]] std::vector<WholeId> in(const std::function<bool(const Box&)>& may_touch) const;
+  [[nodiscard]] std::vector<UncutFacetId> in(const std::function<bool(const Box&)>& may_touch) const;
 
  private:
   BoxHierarchy hierarchy_;

@@ -14,9 +14,12 @@ static_assert(8 * sizeof(BandSet) == most_bands);
 
 class BandMaker {
  public:
-  BandMaker(const CutMesh& mesh, const std::vector<Role>& roles, const CellGrid& grid, const FacetCells& cells,
-            std::size_t count)
-      : mesh_(mesh), roles_(roles), grid_(grid), cells_(cells), count_(std::clamp<std::size_t>(count, 1, most_bands)) {
+  BandMaker(const SceneInCells& in, const std::vector<Role>& roles, std::size_t count)
+      : mesh_(in.mesh()),
+        roles_(roles),
+        grid_(in.grid),
+        cells_(in.cells),
+        count_(std::clamp<std::size_t>(count, 1, most_bands)) {
     result_.swept.resize(count_);
   }
 
@@ -123,23 +126,22 @@ unsigned rows_of(std::span<const FacetCell> cells, const CellGrid& grid) {
 
 }  // namespace
 
-std::size_t band_count(const std::vector<Role>& roles, const CellGrid& grid, const FacetCells& cells) {
+std::size_t band_count(const SceneInCells& in, const std::vector<Role>& roles) {
   std::atomic<std::size_t> open = 0;
   std::atomic<std::size_t> rows = 0;
   parallel_for_each(roles.size(), [&](std::size_t f) {
     if (roles[f] != Role::open) return;
     open.fetch_add(1, std::memory_order_relaxed);
-    rows.fetch_add(rows_of(cells.of(FacetId(f)), grid), std::memory_order_relaxed);
+    rows.fetch_add(rows_of(in.cells.of(FacetId(f)), in.grid), std::memory_order_relaxed);
   });
   if (open == 0) return 1;
   const double mean_rows = static_cast<double>(rows) / static_cast<double>(open);
-  const auto by_height = static_cast<std::size_t>(grid.side() / (band_height_in_facets * std::max(mean_rows, 1.0)));
+  const auto by_height = static_cast<std::size_t>(in.grid.side() / (band_height_in_facets * std::max(mean_rows, 1.0)));
   return std::min(1 + open / open_facets_in_a_band, std::max(bands_at_any_price, by_height));
 }
 
-Bands make_bands(const CutMesh& mesh, const std::vector<Role>& roles, const CellGrid& grid, const FacetCells& cells,
-                 std::size_t count) {
-  return BandMaker(mesh, roles, grid, cells, count).make();
+Bands make_bands(const SceneInCells& in, const std::vector<Role>& roles, std::size_t count) {
+  return BandMaker(in, roles, count).make();
 }
 
 }  // namespace sightline::inline sweep

@@ -1,6 +1,6 @@
 // The open facets, parted into bands of the image that are swept each by itself.
 //
-// In:  roles of facets and their cells; how many bands.
+// In:  a scene in cells, and the roles of its facets; how many bands.
 // Out: per open facet its band; per band the facets that its sweep has to know.
 // Holds: the facets of one surface are in one band. A band's sweep knows all facets that may be seen in the cells which
 //      the band's open facets touch, so what it says of these is right, and nothing has to be joined at the bands'
@@ -12,9 +12,8 @@
 
 #include <vector>
 
-#include "geometry/mesh/cut_mesh.h"
-#include "sweep/fast/facet_cells.h"
 #include "sweep/fast/roles.h"
+#include "sweep/fast/scene_in_cells.h"
 
 namespace sightline::inline sweep {
 
@@ -28,10 +27,9 @@ struct Bands {
 };
 
 // Returns how many bands pay, whatever the number of threads is.
-[[nodiscard]] std::size_t band_count(const std::vector<Role>& roles, const CellGrid& grid, const FacetCells& cells);
+[[nodiscard]] std::size_t band_count(const SceneInCells& in, const std::vector<Role>& roles);
 
 // There is at least one band, and there are at most most_bands.
-[[nodiscard]] Bands make_bands(const CutMesh& mesh, const std::vector<Role>& roles, const CellGrid& grid,
-                               const FacetCells& cells, std::size_t count);
+[[nodiscard]] Bands make_bands(const SceneInCells& in, const std::vector<Role>& roles, std::size_t count);
 
 }  // namespace sightline::inline sweep

@@ -150,16 +150,16 @@ class OpeningFinder {
   std::vector<Opening> placed_;
 };
 
-class Joining {
+class SegmentJoiner {
  public:
-  Joining(const ProjectedScene& scene, const Continuation& continuation, const std::vector<Role>& roles,
-          const Bands& bands, std::vector<VisibleSegments> swept)
-      : scene_(scene),
-        continuation_(continuation),
+  SegmentJoiner(const SceneInCells& in, const std::vector<Role>& roles, const Bands& bands,
+                std::vector<VisibleSegments> swept)
+      : scene_(in.scene),
+        continuation_(in.continuation),
         roles_(roles),
         bands_(bands),
         swept_(std::move(swept)),
-        order_(scene, result_) {}
+        order_(in.scene, result_) {}
 
   VisibleSegments join() {
     parallel_for_each(swept_.size(), 1, [this](std::size_t band) { drop_foreign(BandId(band)); });
@@ -302,9 +302,9 @@ class Joining {
 
 }  // namespace
 
-VisibleSegments join_segments(const ProjectedScene& scene, const Continuation& continuation,
-                              const std::vector<Role>& roles, const Bands& bands, std::vector<VisibleSegments> swept) {
-  return Joining(scene, continuation, roles, bands, std::move(swept)).join();
+VisibleSegments join_segments(const SceneInCells& in, const std::vector<Role>& roles, const Bands& bands,
+                              std::vector<VisibleSegments> swept) {
+  return SegmentJoiner(in, roles, bands, std::move(swept)).join();
 }
 
 }  // namespace sightline::inline sweep

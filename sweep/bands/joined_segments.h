@@ -8,16 +8,14 @@
 
 #include <vector>
 
-#include "geometry/projection/projected_scene.h"
 #include "sweep/bands/bands.h"
-#include "sweep/fast/continuation.h"
 #include "sweep/fast/roles.h"
+#include "sweep/fast/scene_in_cells.h"
 #include "sweep/segments/visible_segments.h"
 
 namespace sightline::inline sweep {
 
-[[nodiscard]] VisibleSegments join_segments(const ProjectedScene& scene, const Continuation& continuation,
-                                            const std::vector<Role>& roles, const Bands& bands,
+[[nodiscard]] VisibleSegments join_segments(const SceneInCells& in, const std::vector<Role>& roles, const Bands& bands,
                                             std::vector<VisibleSegments> swept);
 
 }  // namespace sightline::inline sweep

@@ -29,7 +29,7 @@ class PartBuilder {
     scene.arithmetic = whole_.arithmetic;
     scene.grid_bits = whole_.grid_bits;
     scene.facing = whole_.facing;
-    scene.status.assign(whole_.status.size(), Status::out_of_view);
+    scene.status.assign(whole_.status.size(), FacetStatus::out_of_view);
   }
 
   void find_points_and_edges() {
@@ -84,7 +84,7 @@ class PartBuilder {
       scene.edges.push_back(
           {new_point(edge.top), new_point(edge.bottom), static_cast<std::uint32_t>(scene.sides.size())});
       for (const EdgeSide& side : whole_.sides_of(e)) {
-        if (scene.status[side.facet.index()] == Status::in_view) scene.sides.push_back(side);
+        if (scene.status[side.facet.index()] == FacetStatus::in_view) scene.sides.push_back(side);
       }
     }
     scene.edges.push_back({PointId{}, PointId{}, static_cast<std::uint32_t>(scene.sides.size())});

@@ -8,7 +8,7 @@ namespace sightline::inline sweep {
 namespace {
 
 // Returns +1 where the eye sees the facet's polygon counter-clockwise.
-Sign turn_of(const ProjectedScene& scene, FacetId f) { return scene.facing[f.index()] == Facing::back ? -1 : 1; }
+Sign turn_of(const ProjectedScene& scene, FacetId f) { return scene.facing[f.index()] == FacetFacing::back ? -1 : 1; }
 
 // Returns whether the rounded polygon is convex, without straight or turned corners, and runs around once: then the
 // triangles of its fan have area, too.
@@ -27,7 +27,7 @@ bool is_proper(const ProjectedScene& scene, FacetId f) {
 std::vector<std::uint8_t> proper_facets(const ProjectedScene& scene) {
   std::vector<std::uint8_t> proper(scene.status.size(), 0);
   parallel_for_each(proper.size(), [&](std::size_t f) {
-    if (scene.status[f] == Status::in_view && is_proper(scene, FacetId(f))) proper[f] = 1;
+    if (scene.status[f] == FacetStatus::in_view && is_proper(scene, FacetId(f))) proper[f] = 1;
   });
   return proper;
 }

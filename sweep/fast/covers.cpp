@@ -103,17 +103,16 @@ Grouping<CellFacet> facets_by_cell(const FacetCells& cells, const std::vector<st
 // This looks at some of the cells, and counts for each facet in how many of them it is not in front.
 class CoverFinder {
  public:
-  CoverFinder(const ProjectedScene& scene, const std::vector<DepthRange>& depths, const Continuation& continuation,
-              const CellGrid& grid, const Grouping<CellFacet>& facets, std::vector<std::uint8_t>& one_sheet)
-      : scene_(scene),
-        depths_(depths),
-        continuation_(continuation),
-        grid_(grid),
+  CoverFinder(const SceneInCells& in, const Grouping<CellFacet>& facets, std::vector<std::uint8_t>& one_sheet)
+      : scene_(in.scene),
+        depths_(in.depths),
+        continuation_(in.continuation),
+        grid_(in.grid),
         facets_(facets),
         one_sheet_(one_sheet),
-        order_(scene, depths),
-        mark_(scene.status.size(), 0),
-        hidden_cells_(scene.status.size(), 0) {}
+        order_(in.scene, in.depths),
+        mark_(in.hidden.size(), 0),
+        hidden_cells_(in.hidden.size(), 0) {}
 
   void look_at_row(unsigned row) {
     for (unsigned column = 0; column < grid_.side(); ++column) {
@@ -145,7 +144,7 @@ class CoverFinder {
   }
 
   // Returns how the outline of a proper facet turns in the image.
-  [[nodiscard]] Sign turn_of(FacetId f) const { return scene_.facing[f.index()] == Facing::back ? -1 : 1; }
+  [[nodiscard]] Sign turn_of(FacetId f) const { return scene_.facing[f.index()] == FacetFacing::back ? -1 : 1; }
 
   void find_over_centre() {
     over_centre_.clear();
@@ -260,34 +259,22 @@ class CoverFinder {
 
 }  // namespace
 
-Covers find_covers(const ProjectedScene& scene, const std::vector<DepthRange>& depths, const Continuation& continuation,
-                   const CellGrid& grid, const FacetCells& cells, std::vector<std::uint8_t> hidden) {
-  Covers covers{std::move(hidden), count_over_centre(cells, grid, scene.status.size())};
-  const Grouping<CellFacet> facets = facets_by_cell(cells, covers.one_sheet, scene.status.size());
+Covers find_covers(const SceneInCells& in) {
+  const std::size_t facet_count = in.hidden.size();
+  Covers covers{in.hidden, count_over_centre(in.cells, in.grid, facet_count)};
+  const Grouping<CellFacet> facets = facets_by_cell(in.cells, covers.one_sheet, facet_count);
   std::ranges::replace(covers.one_sheet, 2, 0);
-  tbb::enumerable_thread_specific<CoverFinder> finders(
-      [&] { return CoverFinder(scene, depths, continuation, grid, facets, covers.one_sheet); });
+  tbb::enumerable_thread_specific<CoverFinder> finders([&] { return CoverFinder(in, facets, covers.one_sheet); });
   constexpr std::size_t rows_in_a_row = 8;
-  parallel_for_each(grid.side(), rows_in_a_row,
+  parallel_for_each(in.grid.side(), rows_in_a_row,
                     [&](std::size_t row) { finders.local().look_at_row(static_cast<unsigned>(row)); });
   parallel_for_each(covers.hidden.size(), [&](std::size_t f) {
     std::size_t hidden_cells = 0;
     for (const CoverFinder& finder : finders) hidden_cells += finder.hidden_cells()[f];
-    if (hidden_cells > 0 && hidden_cells == cells.of(FacetId(f)).size()) covers.hidden[f] = 1;
+    if (hidden_cells > 0 && hidden_cells == in.cells.of(FacetId(f)).size()) covers.hidden[f] = 1;
   });
-  keep_surfaces_whole(scene, covers.hidden);
+  keep_surfaces_whole(in.scene, covers.hidden);
   return covers;
-}
-
-void keep_surfaces_whole(const ProjectedScene& scene, std::vector<std::uint8_t>& hidden) {
-  const CutMesh& mesh = scene.mesh();
-  parallel_for_each(hidden.size(), [&](std::size_t begin) {
-    if (surface_of(mesh, FacetId(begin)) != FacetId(begin)) return;
-    const std::size_t end = end_of_surface(mesh, FacetId(begin)).index();
-    std::size_t seen = 0;
-    for (std::size_t f = begin; f < end; ++f) seen += scene.status[f] == Status::in_view && hidden[f] == 0 ? 1 : 0;
-    if (seen > 0) std::fill_n(hidden.begin() + static_cast<std::ptrdiff_t>(begin), end - begin, std::uint8_t{0});
-  });
 }
 
 }  // namespace sightline::inline sweep

@@ -1,7 +1,6 @@
 // Facets hidden behind others, cell by cell.
 //
-// In:  a mesh, its projected scene with depth ranges, where the surface continues, the facets that are known to be hidden, a
-//      grid of cells and the cells of the other facets.
+// In:  a scene in cells, with the facets that are known to be hidden.
 // Out: per facet whether it is certainly hidden; not all hidden facets are found. Per cell whether it has one sheet: if no
 //      contour edge of what may be seen touches such a cell, then all that is seen in it are facets that continue each other,
 //      and all that is of them in the cell is seen.
@@ -22,12 +21,7 @@
 
 #include <vector>
 
-#include "geometry/mesh/cut_mesh.h"
-#include "geometry/projection/projected_scene.h"
-#include "sweep/fast/cell_grid.h"
-#include "sweep/fast/continuation.h"
-#include "sweep/fast/facet_cells.h"
-#include "sweep/plain/depth_ranges.h"
+#include "sweep/fast/scene_in_cells.h"
 
 namespace sightline::inline sweep {
 
@@ -36,13 +30,6 @@ struct Covers {
   std::vector<std::uint8_t> one_sheet;  // per cell
 };
 
-[[nodiscard]] Covers find_covers(const ProjectedScene& scene, const std::vector<DepthRange>& depths,
-                                 const Continuation& continuation, const CellGrid& grid, const FacetCells& cells,
-                                 std::vector<std::uint8_t> hidden);
-
-// Leaves no facet hidden, per facet, of a surface (facet_plane.h) some of whose facets in view may be seen. What the
-// sweep says of a surface it says of all its facets: a segment's edge may belong to any of them, and where the boundary
-// of what is visible passes an edge, the edge is split for all facets on it. This takes O(n).
-void keep_surfaces_whole(const ProjectedScene& scene, std::vector<std::uint8_t>& hidden);
+[[nodiscard]] Covers find_covers(const SceneInCells& in);
 
 }  // namespace sightline::inline sweep

@@ -95,7 +95,7 @@ class CellsOfFacets {
     const FacetOutline outline(scene_, f);
     const auto points = outline.points();
     const bool proper = continuation_.is_proper(f);
-    const Sign turn = scene_.facing[f.index()] == Facing::back ? -1 : 1;
+    const Sign turn = scene_.facing[f.index()] == FacetFacing::back ? -1 : 1;
     const CellRange range = grid_.range_of(points);
     if (points.size() == 3 && is_small(range)) return add_small(points, range, proper, turn, cells);
     grid_.for_each_in_polygon(points, [&](unsigned column, unsigned row) {
@@ -132,7 +132,7 @@ FacetCells::FacetCells(const ProjectedScene& scene, const Continuation& continua
     std::vector<FacetCell>& part = parts[range];
     for (std::size_t f = begin; f < end; ++f) {
       const std::size_t before = part.size();
-      if (scene.status[f] == Status::in_view && hidden[f] == 0) cells_of_facets.add(FacetId(f), part);
+      if (scene.status[f] == FacetStatus::in_view && hidden[f] == 0) cells_of_facets.add(FacetId(f), part);
       begin_[f + 1] = static_cast<std::uint32_t>(part.size() - before);
     }
   });

@@ -37,7 +37,7 @@ class LargeCovers {
       if (hidden[f.index()] == 0) cover(f, outline);
     }
     parallel_for_each(hidden.size(), [&](std::size_t f) {
-      if (scene_.status[f] != Status::in_view || hidden[f] != 0) return;
+      if (scene_.status[f] != FacetStatus::in_view || hidden[f] != 0) return;
       hidden[f] = is_hidden(FacetId(f), FacetOutline(scene_, FacetId(f))) ? 1 : 0;
     });
     return hidden;
@@ -47,7 +47,7 @@ class LargeCovers {
   [[nodiscard]] std::vector<FacetId> large_facets() const {
     std::vector<std::uint8_t> flags(scene_.status.size(), 0);
     parallel_for_each(flags.size(), [&](std::size_t f) {
-      flags[f] = scene_.status[f] == Status::in_view && is_large(FacetId(f)) ? 1 : 0;
+      flags[f] = scene_.status[f] == FacetStatus::in_view && is_large(FacetId(f)) ? 1 : 0;
     });
     std::vector<FacetId> large;
     for (std::size_t f = 0; f < flags.size(); ++f) {
@@ -103,7 +103,7 @@ class LargeCovers {
   // Returns whether all edges inside the window certainly pass the cell on the left of it as the facet turns: then the
   // facet's rounded polygon covers it. The products are off by less than 2^-50 of their absolute values.
   [[nodiscard]] bool covers(FacetId f, std::span<const ImagePoint> outline, const ImagePoint& centre) const {
-    const double turn = scene_.facing[f.index()] == Facing::back ? -1 : 1;
+    const double turn = scene_.facing[f.index()] == FacetFacing::back ? -1 : 1;
     const double half = static_cast<double>(cells_.cell_size()) / 2;
     for (std::size_t i = 0; i < outline.size(); ++i) {
       const ImagePoint& a = outline[i];

@@ -11,15 +11,19 @@ namespace {
 
 class RoleFinder {
  public:
-  RoleFinder(const ProjectedScene& scene, const Continuation& continuation, const Covers& covers, const CellGrid& grid,
-             const FacetCells& cells)
-      : mesh_(scene.mesh()), scene_(scene), continuation_(continuation), covers_(covers), grid_(grid), cells_(cells) {}
+  RoleFinder(const SceneInCells& in, const Covers& covers)
+      : mesh_(in.mesh()),
+        scene_(in.scene),
+        continuation_(in.continuation),
+        covers_(covers),
+        grid_(in.grid),
+        cells_(in.cells) {}
 
   std::vector<Role> find() {
     const std::vector<std::uint8_t> clear = clear_cells();
     std::vector<Role> roles(mesh_.facet_count(), Role::absent);
     parallel_for_each(roles.size(), [&](std::size_t f) {
-      if (scene_.status[f] != Status::in_view) return;
+      if (scene_.status[f] != FacetStatus::in_view) return;
       roles[f] = is_hidden(FacetId(f)) ? Role::hidden : (is_plain(FacetId(f), clear) ? Role::plain : Role::open);
     });
     return roles;
@@ -70,9 +74,6 @@ class RoleFinder {
 
 }  // namespace
 
-std::vector<Role> find_roles(const ProjectedScene& scene, const Continuation& continuation, const Covers& covers,
-                             const CellGrid& grid, const FacetCells& cells) {
-  return RoleFinder(scene, continuation, covers, grid, cells).find();
-}
+std::vector<Role> find_roles(const SceneInCells& in, const Covers& covers) { return RoleFinder(in, covers).find(); }
 
 }  // namespace sightline::inline sweep

@@ -1,7 +1,6 @@
 // What the sweep has to look at.
 //
-// In:  a mesh, its projected scene, where the surface continues, what covers hide, a grid of cells and the cells of
-//      facets.
+// In:  a scene in cells, and what covers hide in it.
 // Out: per facet its role.
 // Holds: in the cells that a plain facet touches one sheet is seen, its own, and no contour edge of what may be seen is
 //      there; so all of it is seen, and its neighbours are seen along its edges (docs/covers.md, lemma 11).
@@ -11,12 +10,8 @@
 
 #include <vector>
 
-#include "geometry/mesh/cut_mesh.h"
-#include "geometry/projection/projected_scene.h"
-#include "sweep/fast/cell_grid.h"
-#include "sweep/fast/continuation.h"
 #include "sweep/fast/covers.h"
-#include "sweep/fast/facet_cells.h"
+#include "sweep/fast/scene_in_cells.h"
 
 namespace sightline::inline sweep {
 
@@ -28,7 +23,6 @@ enum class Role : std::uint8_t {
   open,    // the sweep decides
 };
 
-[[nodiscard]] std::vector<Role> find_roles(const ProjectedScene& scene, const Continuation& continuation,
-                                           const Covers& covers, const CellGrid& grid, const FacetCells& cells);
+[[nodiscard]] std::vector<Role> find_roles(const SceneInCells& in, const Covers& covers);
 
 }  // namespace sightline::inline sweep

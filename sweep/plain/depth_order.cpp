@@ -15,20 +15,7 @@ DepthOrder::DepthOrder(const ProjectedScene& scene, std::span<const DepthRange> 
       pieces_(scene),
       ranges_(ranges) {}
 
-// A mesh that was not cut has its facets whole.
-WholeId DepthOrder::whole_of(FacetId f) const {
-  return mesh_.is_cut() ? mesh_.cuts.whole_of[f.index()] : WholeId(f.index());
-}
-
-FacetId DepthOrder::first_facet(WholeId w) const {
-  return mesh_.is_cut() ? mesh_.cuts.first_facet[w.index()] : FacetId(w.index());
-}
-
-std::span<const VertexId> DepthOrder::corners(WholeId w) const {
-  return mesh_.is_cut() ? mesh_.cuts.wholes[w.index()] : mesh_.corners(FacetId(w.index()));
-}
-
-bool DepthOrder::is_turned(WholeId w) const { return facing_[first_facet(w).index()] == Facing::back; }
+bool DepthOrder::is_turned(UncutFacetId u) const { return facing_[mesh_.first_piece(u).index()] == FacetFacing::back; }
 
 bool DepthOrder::nearer(FacetId f, FacetId g) {
   ++comparisons_;
@@ -39,14 +26,14 @@ bool DepthOrder::nearer(FacetId f, FacetId g) {
 
 // Precondition: f has the lower facet index, and with it the lower or the same face index.
 bool DepthOrder::lower_is_nearer(FacetId f, FacetId g) {
-  const WholeId of_f = whole_of(f);
-  const WholeId of_g = whole_of(g);
+  const UncutFacetId of_f = mesh_.uncut_facet(f);
+  const UncutFacetId of_g = mesh_.uncut_facet(g);
   if (of_f == of_g) return true;
   if (mesh_.is_cut() && pieces_.applies_to(of_f, of_g)) return pieces_.lower_is_nearer(f, g);
-  return lower_whole_is_nearer(of_f, of_g);
+  return lower_uncut_facet_is_nearer(of_f, of_g);
 }
 
-bool DepthOrder::lower_whole_is_nearer(WholeId f, WholeId g) {
+bool DepthOrder::lower_uncut_facet_is_nearer(UncutFacetId f, UncutFacetId g) {
   const Evidence of_f = corners_against_plane(f, g);
   if (of_f.front == 0 && of_f.behind == 0) return true;
   if (of_f.front == 0 || of_f.behind == 0) return of_f.front > 0;
@@ -57,21 +44,21 @@ bool DepthOrder::lower_whole_is_nearer(WholeId f, WholeId g) {
 }
 
 // Stops as soon as f is known to straddle the plane.
-DepthOrder::Evidence DepthOrder::corners_against_plane(WholeId f, WholeId g) {
+DepthOrder::Evidence DepthOrder::corners_against_plane(UncutFacetId f, UncutFacetId g) {
   Evidence evidence;
-  for (const VertexId v : corners(f)) {
+  for (const VertexId v : mesh_.uncut_corners(f)) {
     evidence.add(side_towards_eye(g, v));
     if (evidence.front > 0 && evidence.behind > 0) break;
   }
   return evidence;
 }
 
-DepthOrder::Evidence DepthOrder::overlap_evidence(WholeId f, WholeId g) {
+DepthOrder::Evidence DepthOrder::overlap_evidence(UncutFacetId f, UncutFacetId g) {
   Evidence evidence;
-  for (const VertexId v : corners(f)) {
+  for (const VertexId v : mesh_.uncut_corners(f)) {
     if (covers(g, v)) evidence.add(side_towards_eye(g, v));
   }
-  for (const VertexId v : corners(g)) {
+  for (const VertexId v : mesh_.uncut_corners(g)) {
     if (covers(f, v)) evidence.add(-side_towards_eye(f, v));
   }
   add_edge_crossings(f, g, evidence);
@@ -79,8 +66,8 @@ DepthOrder::Evidence DepthOrder::overlap_evidence(WholeId f, WholeId g) {
 }
 
 // Returns whether the ray from the eye to v meets the facet, its border included.
-bool DepthOrder::covers(WholeId f, VertexId v) {
-  const auto around = corners(f);
+bool DepthOrder::covers(UncutFacetId f, VertexId v) {
+  const auto around = mesh_.uncut_corners(f);
   const Sign turn = is_turned(f) ? -1 : 1;
   for (std::size_t i = 0; i < around.size(); ++i) {
     const VertexId next = around[i + 1 == around.size() ? 0 : i + 1];
@@ -92,9 +79,9 @@ bool DepthOrder::covers(WholeId f, VertexId v) {
 // Two edges ab of f and cd of g cross, seen from the eye, where the four orientations below agree (the test for arcs on
 // the sphere of directions; it excludes arcs that cross behind the eye). There cd is nearer than ab where d and the eye
 // are on one side of the plane abc.
-void DepthOrder::add_edge_crossings(WholeId f, WholeId g, Evidence& evidence) {
-  const auto f_corners = corners(f);
-  const auto g_corners = corners(g);
+void DepthOrder::add_edge_crossings(UncutFacetId f, UncutFacetId g, Evidence& evidence) {
+  const auto f_corners = mesh_.uncut_corners(f);
+  const auto g_corners = mesh_.uncut_corners(g);
   for (std::size_t i = 0; i < f_corners.size(); ++i) {
     const VertexId a = f_corners[i];
     const VertexId b = f_corners[i + 1 == f_corners.size() ? 0 : i + 1];
@@ -111,17 +98,17 @@ void DepthOrder::add_edge_crossings(WholeId f, WholeId g, Evidence& evidence) {
 
 // Returns +1 where v is on the eye's side of the facet's plane. A corner of the facet is on the plane by index, without
 // arithmetic.
-Sign DepthOrder::side_towards_eye(WholeId plane, VertexId v) {
+Sign DepthOrder::side_towards_eye(UncutFacetId plane, VertexId v) {
   const VertexId welded = mesh_.weld[v.index()];
-  for (const VertexId corner : corners(plane)) {
+  for (const VertexId corner : mesh_.uncut_corners(plane)) {
     if (mesh_.weld[corner.index()] == welded) return 0;
   }
   const auto [a, b, c] = plane_of(plane);
   return orientation(a, b, c, {mesh_.position(v), 1});
 }
 
-std::array<VertexId, 3> DepthOrder::plane_of(WholeId w) const {
-  std::array<VertexId, 3> plane = plane_corners(mesh_, first_facet(w));
+std::array<VertexId, 3> DepthOrder::plane_of(UncutFacetId w) const {
+  std::array<VertexId, 3> plane = plane_corners(mesh_, mesh_.first_piece(w));
   if (is_turned(w)) std::swap(plane[1], plane[2]);
   return plane;
 }

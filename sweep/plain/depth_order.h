@@ -4,7 +4,7 @@
 // Out: whether the first is nearer to the eye there.
 // Holds: facets that do not pass through each other have one order wherever they overlap, since both are convex and
 // planar; so the answer does not depend on the place. nearer(f, g) != nearer(g, f). Coplanar facets: the lower face
-// index is in front. Pieces of facets that were cut along common lines have the order of the wholes, or, where these
+// index is in front. Pieces of facets that were cut along common lines have the order of the uncut facets, or, where these
 // cross, one of their own (piece_order.h).
 // Method: if all of one facet is less deep than all of the other (depth_ranges.h), it is nearer. If all of one facet is
 // on one side of the other's plane, that side decides. Otherwise they straddle each other's planes, and a place where
@@ -14,7 +14,7 @@
 // Departure from Fang's appendix B, which compares depths at the sweep point: that needs the rounded point lifted, and
 // cannot be exact.
 // In float and double (arithmetic.h) the signs are plain evaluations: nearer(f, g) != nearer(g, f) and the rule of
-// coplanar facets still hold, nothing else does. The order of pieces whose wholes cross is exact in all.
+// coplanar facets still hold, nothing else does. The order of pieces whose uncut facets cross is exact in all.
 #pragma once
 
 #include <array>
@@ -57,26 +57,23 @@ class DepthOrder {
     }
   };
 
-  [[nodiscard]] WholeId whole_of(FacetId f) const;
-  [[nodiscard]] FacetId first_facet(WholeId w) const;
-  [[nodiscard]] std::span<const VertexId> corners(WholeId w) const;
-  [[nodiscard]] bool is_turned(WholeId w) const;
+  [[nodiscard]] bool is_turned(UncutFacetId u) const;
   [[nodiscard]] bool lower_is_nearer(FacetId f, FacetId g);
-  [[nodiscard]] bool lower_whole_is_nearer(WholeId f, WholeId g);
-  [[nodiscard]] Evidence corners_against_plane(WholeId f, WholeId g);
-  [[nodiscard]] Evidence overlap_evidence(WholeId f, WholeId g);
-  [[nodiscard]] bool covers(WholeId f, VertexId v);
-  void add_edge_crossings(WholeId f, WholeId g, Evidence& evidence);
+  [[nodiscard]] bool lower_uncut_facet_is_nearer(UncutFacetId f, UncutFacetId g);
+  [[nodiscard]] Evidence corners_against_plane(UncutFacetId f, UncutFacetId g);
+  [[nodiscard]] Evidence overlap_evidence(UncutFacetId f, UncutFacetId g);
+  [[nodiscard]] bool covers(UncutFacetId f, VertexId v);
+  void add_edge_crossings(UncutFacetId f, UncutFacetId g, Evidence& evidence);
   // Returns three corners, so turned that the eye sees them counter-clockwise.
-  [[nodiscard]] std::array<VertexId, 3> plane_of(WholeId w) const;
-  [[nodiscard]] Sign side_towards_eye(WholeId plane, VertexId v);
+  [[nodiscard]] std::array<VertexId, 3> plane_of(UncutFacetId w) const;
+  [[nodiscard]] Sign side_towards_eye(UncutFacetId plane, VertexId v);
   [[nodiscard]] Sign seen_orientation(VertexId a, VertexId b, VertexId c);
   [[nodiscard]] Sign orientation(VertexId a, VertexId b, VertexId c, const HomogeneousPoint& d);
 
   const CutMesh& mesh_;
   const Arithmetic arithmetic_;
   HomogeneousPoint eye_;
-  const std::vector<Facing>& facing_;
+  const std::vector<FacetFacing>& facing_;
   PieceOrder pieces_;
   const std::span<const DepthRange> ranges_;
   predicates::Counts counts_;

@@ -8,8 +8,8 @@
 
 namespace sightline::inline sweep {
 
-void SegmentRecorder::at(const NamedPoint& point, std::span<const AboveSegment> above, std::span<const BundleId> below,
-                         const NodeList& left, ActiveEdgeList& active) {
+void SegmentRecorder::record(const NamedPoint& point, std::span<const AboveSegment> above,
+                             std::span<const BundleId> below, const NodeList& left, ActiveEdgeList& active) {
   ending_.clear();
   end_point_surfaces_.clear();
   look_below(below, left, active);

@@ -39,8 +39,8 @@ class SegmentRecorder {
 
   // `below` has the bundles below the point, left to right; they are in the active edge list with their edges and node
   // lists, and get their open segments here. `left` is what is over the span left of the point.
-  void at(const NamedPoint& point, std::span<const AboveSegment> above, std::span<const BundleId> below,
-          const NodeList& left, ActiveEdgeList& active);
+  void record(const NamedPoint& point, std::span<const AboveSegment> above, std::span<const BundleId> below,
+              const NodeList& left, ActiveEdgeList& active);
 
  private:
   void look_below(std::span<const BundleId> below, const NodeList& left, ActiveEdgeList& active) const;

@@ -34,7 +34,7 @@ class Sweep : private SweepState {
       replace_in_active_list();
       update_node_lists();
       erase_left_over();
-      recorder_.at(name_of_point(), above_segments_, below_, left_list(), active_);
+      recorder_.record(name_of_point(), above_segments_, below_, left_list(), active_);
       queue_crossings();
       count();
       if (observer_ != nullptr) notify();
@@ -263,8 +263,8 @@ class Sweep : private SweepState {
 
   void notify() const {
     const SweepPlace place = here();
-    observer_->at({place.vertex, place.x, place.y, place.crossings.size(), point_.next_vertex.index()});
-    observer_->look(*this);
+    observer_->on_point({place.vertex, place.x, place.y, place.crossings.size(), point_.next_vertex.index()});
+    observer_->on_state(*this);
   }
 
   [[nodiscard]] SweepPlace here() const override { return place_in_window<Decisions>(scene_, point_); }

@@ -38,11 +38,11 @@ class SIGHTLINE_EXPORT SweepObserver {
     std::size_t crossings = 0;    // pairs of edges that were found to cross here
     std::size_t points_done = 0;  // of the scene's points
   };
-  virtual void at(const SweepPoint& point) = 0;
+  virtual void on_point(const SweepPoint& point) = 0;
 
-  // A sweep of everything calls this after `at`, for whoever wants to see more (sweep_state.h). The fast engine's bands
+  // A sweep of everything calls this after `on_point`, for whoever wants to see more (sweep_state.h). The fast engine's bands
   // are parts of the scene, and are not shown.
-  virtual void look(const SweepState& /*state*/) {}
+  virtual void on_state(const SweepState& /*state*/) {}
 };
 
 [[nodiscard]] SIGHTLINE_EXPORT VisibleSegments plain_sweep(const ProjectedScene& scene,

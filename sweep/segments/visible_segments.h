@@ -1,4 +1,4 @@
-// The sweep's result: directed pieces of the boundary of what is visible of each face.
+// The sweep's result: directed segments of the boundary of what is visible of each face.
 //
 // Points: ids below scene.points.size() are the scene's points; the ids from there on are crossings, numbered in sweep
 // order. A crossing is the pair of edges that makes it, never a computed point. Holds (validate(segments, scene) checks

@@ -58,7 +58,7 @@ bool is_exact(const tests::AnyMesh& mesh, const Sight& sight) {
     return BigInteger(c.x << bits) % c.w == 0 && BigInteger(c.y << bits) % c.w == 0;
   };
   for (std::size_t f = 0; f < mesh->facet_count(); ++f) {
-    if (sight.view.scene.status[f] != Status::in_view) continue;
+    if (sight.view.scene.status[f] != FacetStatus::in_view) continue;
     const auto corners = clip(mesh, sight.camera, FacetId(f));
     if (!std::all_of(corners.begin(), corners.end(), on_grid)) return false;
   }

@@ -110,11 +110,11 @@ TEST_CASE("extreme scene faces_edge_on: plates that are edge-on hide nothing") {
   const Sight& above = scene.from("above");
   CHECK(is_exact(scene.mesh, above) == false);  // the leaning plate's upper edge
   CHECK(above.areas[0] == Rational(9, 4));
-  for (std::size_t f = 1; f < 6; ++f) CHECK(above.view.scene.facing[f] == Facing::edge_on);
-  CHECK(above.view.scene.facing[6] != Facing::edge_on);
+  for (std::size_t f = 1; f < 6; ++f) CHECK(above.view.scene.facing[f] == FacetFacing::edge_on);
+  CHECK(above.view.scene.facing[6] != FacetFacing::edge_on);
   CHECK(above.areas[6] == 0);
   const Sight& pinhole = scene.from("pinhole");
-  for (std::size_t f = 1; f < 4; ++f) CHECK(pinhole.view.scene.facing[f] == Facing::edge_on);
+  for (std::size_t f = 1; f < 4; ++f) CHECK(pinhole.view.scene.facing[f] == FacetFacing::edge_on);
   for (std::size_t f = 4; f < 7; ++f) CHECK(pinhole.areas[f] > 0);
 }
 

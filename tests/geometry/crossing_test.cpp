@@ -34,8 +34,8 @@ Rational in_window_units(const Rational& grid_area, int grid_bits) {
 bool cuts_are_on_grid(const View& view) {
   const CutMesh& mesh = view.scene.mesh();
   for (std::size_t f = 0; mesh.is_cut() && f < mesh.facet_count(); ++f) {
-    const WholeId w = mesh.cuts.whole_of[f];
-    const bool was_cut = mesh.cuts.first_facet[w.index() + 1].index() - mesh.cuts.first_facet[w.index()].index() > 1;
+    const UncutFacetId w = mesh.cuts.uncut_facet_of[f];
+    const bool was_cut = mesh.end_piece(w).index() - mesh.first_piece(w).index() > 1;
     const auto polygon = view.scene.polygon(FacetId(f));
     if (was_cut && std::ranges::any_of(polygon, [](const ClippedCorner& c) { return !c.vertex.valid(); })) return false;
   }

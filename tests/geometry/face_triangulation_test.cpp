@@ -1,6 +1,6 @@
 // Polygons that touch themselves are triangulated, and held against the law of areas and a winding number counted point
 // by point.
-#include "geometry/mesh/face_triangulation.h"
+#include "geometry/faces/face_triangulation.h"
 
 #include <doctest/doctest.h>
 

@@ -77,7 +77,7 @@ TEST_CASE("no near plane: a face through the eye's plane is clipped at the windo
   const Mesh mesh = triangle({-1, -1, -2}, {1, -1, -2}, {0, -1, 4});
   const ProjectedScene scene = project(mesh, straight_camera(), Sides::both);
   CHECK(validate(scene).empty());
-  REQUIRE(scene.status[0] == Status::in_view);
+  REQUIRE(scene.status[0] == FacetStatus::in_view);
   const std::int64_t edge = std::int64_t{1} << 40;
   for (const ClippedCorner& corner : scene.polygon(FacetId(0))) {
     CHECK(scene.point(corner.point).y >= -edge);
@@ -88,15 +88,16 @@ TEST_CASE("no near plane: a face through the eye's plane is clipped at the windo
 
 TEST_CASE("what touches the view volume's border from outside is out of view") {
   const Camera camera = straight_camera();
-  CHECK(project(triangle({1, 0, -1}, {2, 0, -1}, {2, 1, -1}), camera, Sides::both).status[0] == Status::out_of_view);
-  CHECK(project(triangle({0, 0, 1}, {1, 0, 1}, {0, 1, 2}), camera, Sides::both).status[0] == Status::out_of_view);
-  CHECK(project(triangle({0, 0, -1}, {2, 0, -1}, {0, 2, -1}), camera, Sides::both).status[0] == Status::in_view);
+  CHECK(project(triangle({1, 0, -1}, {2, 0, -1}, {2, 1, -1}), camera, Sides::both).status[0] ==
+        FacetStatus::out_of_view);
+  CHECK(project(triangle({0, 0, 1}, {1, 0, 1}, {0, 1, 2}), camera, Sides::both).status[0] == FacetStatus::out_of_view);
+  CHECK(project(triangle({0, 0, -1}, {2, 0, -1}, {0, 2, -1}), camera, Sides::both).status[0] == FacetStatus::in_view);
 }
 
 TEST_CASE("a face in a plane through the eye is edge-on, and so is one with a corner in the eye") {
   const Camera camera = straight_camera();
-  CHECK(project(triangle({0, 0, -1}, {1, 0, -2}, {-1, 0, -3}), camera, Sides::both).status[0] == Status::edge_on);
-  CHECK(project(triangle({0, 0, 0}, {1, 0, -2}, {-1, 0.5, -3}), camera, Sides::both).status[0] == Status::edge_on);
+  CHECK(project(triangle({0, 0, -1}, {1, 0, -2}, {-1, 0, -3}), camera, Sides::both).status[0] == FacetStatus::edge_on);
+  CHECK(project(triangle({0, 0, 0}, {1, 0, -2}, {-1, 0.5, -3}), camera, Sides::both).status[0] == FacetStatus::edge_on);
 }
 
 TEST_CASE("one triangle that covers the window is clipped to the window") {
@@ -115,9 +116,9 @@ TEST_CASE("facing is exact: an eye one last bit before a face's plane sees its f
     camera.eye = {camera.origin, 1};
     return project(mesh, camera, Sides::both).facing[0];
   };
-  CHECK(facing_from(std::nextafter(-1.0, 0.0)) == Facing::front);
-  CHECK(facing_from(-1.0) == Facing::edge_on);
-  CHECK(facing_from(std::nextafter(-1.0, -2.0)) == Facing::back);
+  CHECK(facing_from(std::nextafter(-1.0, 0.0)) == FacetFacing::front);
+  CHECK(facing_from(-1.0) == FacetFacing::edge_on);
+  CHECK(facing_from(std::nextafter(-1.0, -2.0)) == FacetFacing::back);
 }
 
 TEST_CASE("neighbours are cut at the same point: a clipped mesh edge has one image point and one position") {

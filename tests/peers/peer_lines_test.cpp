@@ -25,8 +25,8 @@ struct Comparison {
   double only_appel = 0;  // lengths of what is seen by one of them only
   double only_exact = 0;
   std::size_t lines = 0;
-  std::size_t hidden = 0;     // pieces of lines
-  std::size_t crossings = 0;  // ends of pieces inside lines
+  std::size_t hidden = 0;     // segments of lines
+  std::size_t crossings = 0;  // ends of segments inside lines
   int least = 0;              // Q_v
 };
 
@@ -36,10 +36,10 @@ Comparison compare(const AnyMesh& mesh, const Camera& camera, Sides sides) {
   const VisibleLines exact = tests::visible_segments(view);
   const VisibleLines ours = std::get<VisibleLines>(appel().run(scene, 0).seen);
   Comparison result{tests::uncovered(ours, exact), tests::uncovered(exact, ours), ours.size(), 0, 0, 0};
-  for (const LinePiece& piece : quantitative_invisibility(scene, scene_lines(scene)).pieces) {
-    result.least = std::min(result.least, piece.Q_v);
-    result.hidden += piece.Q_v > 0 ? 1 : 0;
-    result.crossings += piece.from > 0 ? 1 : 0;
+  for (const LineSegment& segment : quantitative_invisibility(scene, scene_lines(scene)).segments) {
+    result.least = std::min(result.least, segment.Q_v);
+    result.hidden += segment.Q_v > 0 ? 1 : 0;
+    result.crossings += segment.from > 0 ? 1 : 0;
   }
   return result;
 }
@@ -208,12 +208,12 @@ TEST_CASE(
   const Camera camera = camera_at({4, 3, 8});
   const QuantitativeInvisibility both = invisibility(mesh, camera, Sides::both);
   std::array<int, 4> with{};
-  for (const LinePiece& piece : both.pieces) ++with[static_cast<std::size_t>(piece.Q_v)];
+  for (const LineSegment& segment : both.segments) ++with[static_cast<std::size_t>(segment.Q_v)];
   CHECK(with == std::array{9, 3, 0, 0});
   CHECK(both.counts.seeds == 1);
   CHECK(both.counts.propagations == 11);
   CHECK(both.counts.intersections == 0);
-  CHECK(invisibility(mesh, camera, Sides::front).pieces.size() == 9);
+  CHECK(invisibility(mesh, camera, Sides::front).segments.size() == 9);
 }
 
 TEST_CASE("Appel: a silhouette edge of a body changes Q_v by two, the boundary edge of an open mesh by one") {
@@ -222,8 +222,8 @@ TEST_CASE("Appel: a silhouette edge of a body changes Q_v by two, the boundary e
   const auto most = [](const std::vector<Corners>& faces) {
     int Q_v = 0;
     const Mesh mesh = tests::mesh_of(faces);
-    for (const LinePiece& piece : invisibility(mesh, camera_at({0.1, 0.2, 10}), Sides::both).pieces) {
-      Q_v = std::max(Q_v, piece.Q_v);
+    for (const LineSegment& segment : invisibility(mesh, camera_at({0.1, 0.2, 10}), Sides::both).segments) {
+      Q_v = std::max(Q_v, segment.Q_v);
     }
     return Q_v;
   };

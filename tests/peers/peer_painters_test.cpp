@@ -41,7 +41,7 @@ struct Painters {
   }
 };
 
-// Rays need no facets cut along their common lines, and pieces' planes are not exactly their wholes'.
+// Rays need no facets cut along their common lines, and pieces' planes are not exactly their uncut facets'.
 Painters run_painters(const Mesh& mesh, const Camera& camera, Sides sides,
                       Splitting splitting = Splitting::where_needed) {
   const ItemBuffer truth = seen_by_rays(project(mesh, camera, sides), resolution);

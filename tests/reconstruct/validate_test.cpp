@@ -114,8 +114,8 @@ TEST_CASE("the checkers are silent on right values") {
 const std::vector<Breakage<ProjectedScene>> broken_scenes{
     {"grid_bits", [](ProjectedScene& s) { s.grid_bits = default_grid_bits + 1; }},
     {"facing: not one entry", [](ProjectedScene& s) { s.facing.pop_back(); }},
-    {"facing: no such value", [](ProjectedScene& s) { s.facing[0] = static_cast<Facing>(9); }},
-    {"status: no such value", [](ProjectedScene& s) { s.status[0] = static_cast<Status>(9); }},
+    {"facing: no such value", [](ProjectedScene& s) { s.facing[0] = static_cast<FacetFacing>(9); }},
+    {"status: no such value", [](ProjectedScene& s) { s.status[0] = static_cast<FacetStatus>(9); }},
     {"polygon_begin: not the ranges", [](ProjectedScene& s) { ++s.polygon_begin.back(); }},
     {"edges: not the ranges", [](ProjectedScene& s) { s.edges.clear(); }},
     {"edges: an end is no point", [](ProjectedScene& s) { s.edges[0].bottom = PointId(99); }},
@@ -133,11 +133,11 @@ const std::vector<Breakage<ProjectedScene>> broken_scenes{
      }},
     {"edge 0 belongs to no facet", [](ProjectedScene& s) { s.edges[1].first_side = 0; }},
     {"edge 0 changes nothing for facet", [](ProjectedScene& s) { s.sides[0].winding = 0; }},
-    {"of facet 0, which is not in view", [](ProjectedScene& s) { s.status[0] = Status::out_of_view; }},
-    {"facet 0 is not in view and has a polygon", [](ProjectedScene& s) { s.status[0] = Status::out_of_view; }},
+    {"of facet 0, which is not in view", [](ProjectedScene& s) { s.status[0] = FacetStatus::out_of_view; }},
+    {"facet 0 is not in view and has a polygon", [](ProjectedScene& s) { s.status[0] = FacetStatus::out_of_view; }},
     {"facet 0 is in view and has no polygon", [](ProjectedScene& s) { s.polygon_begin[1] = 0; }},
-    {"facet 0 has a status that does not fit", [](ProjectedScene& s) { s.facing[0] = Facing::edge_on; }},
-    {"facet 0 has a status that does not fit", [](ProjectedScene& s) { s.status[0] = Status::culled; }},
+    {"facet 0 has a status that does not fit", [](ProjectedScene& s) { s.facing[0] = FacetFacing::edge_on; }},
+    {"facet 0 has a status that does not fit", [](ProjectedScene& s) { s.status[0] = FacetStatus::culled; }},
     {"has a boundary that is not closed at point", [](ProjectedScene& s) { s.sides[0].winding *= -1; }},
     {"has other sides than its polygon", [](ProjectedScene& s) { s.sides[0].mesh_edge = MeshEdgeId(99); }},
 };
@@ -263,7 +263,7 @@ void misstate_area(Stages& s) {
   const ImagePoints points(s.scene, s.segments);
   for (const std::size_t r : {std::size_t{1}, std::size_t{2}})
     measured += measure(points, s.segments, s.polygons.ring(r));
-  s.polygons.polygons[wall_right].area += std::ldexp(0.75 * measured.area_error(), -2 * s.scene.grid_bits);
+  s.polygons.polygons[wall_right].area += std::ldexp(0.75 * measured.twice_area.radius, -2 * s.scene.grid_bits);
 }
 
 // The patch becomes a part of the wall: its ring runs along the hole's.

@@ -9,7 +9,7 @@
 #include "reflect/exact/mirrored_forms.h"
 #include "reflect/exact/pyramid.h"
 #include "reflect/world/mirror_world.h"
-#include "reflect/world/wholes.h"
+#include "reflect/world/uncut_facets.h"
 
 namespace sightline::tests::mirrored_forms_test {
 namespace {

@@ -67,27 +67,15 @@ ProjectedScene seen_from_above(const AnyMesh& mesh, int grid_bits = default_grid
   return project(mesh, orthographic_camera("above", view, 2), Sides::both, {Arithmetic::exact, grid_bits});
 }
 
-// This is what the fast engine finds before it sweeps, in 32 x 32 cells.
+// This is what the fast engine finds before it sweeps, in 32 x 32 cells, where covers have to find all that is hidden.
 struct Found {
-  Continuation continuation;
-  CellGrid grid;
-  FacetCells cells;
+  SceneInCells in;
   Covers covers;
 
-  Found(const ProjectedScene& scene)
-      : continuation(scene),
-        grid(scene.grid_bits, 5),
-        cells(scene, continuation, grid, none(scene.mesh())),
-        covers(find_covers(scene, depth_ranges(scene), continuation, grid, cells, none(scene.mesh()))) {}
+  explicit Found(const ProjectedScene& scene)
+      : in(scene, 5, std::vector<std::uint8_t>(scene.status.size(), 0)), covers(find_covers(in)) {}
 
-  [[nodiscard]] std::vector<Role> roles(const ProjectedScene& scene) const {
-    return find_roles(scene, continuation, covers, grid, cells);
-  }
-
- private:
-  static std::vector<std::uint8_t> none(const AnyMesh& mesh) {
-    return std::vector<std::uint8_t>(mesh->facet_count(), 0);
-  }
+  [[nodiscard]] std::vector<Role> roles() const { return find_roles(in, covers); }
 };
 
 std::size_t count_of(const std::vector<std::uint8_t>& flags) {
@@ -108,7 +96,7 @@ TEST_CASE("facet cells: every cell in which a point of the facet lies is named, 
     const auto corner = [&]() -> Vector3 { return middle + size * Vector3{place(random), place(random), 0}; };
     const Mesh mesh = mesh_of({corner(), corner(), corner()}, {{0, 1, 2}});
     const ProjectedScene scene = seen_from_above(mesh, 12);
-    if (scene.status.empty() || scene.status[0] != Status::in_view) continue;
+    if (scene.status.empty() || scene.status[0] != FacetStatus::in_view) continue;
     const CellGrid grid(scene.grid_bits, round % 6);
     const Continuation continuation(scene);
     const FacetCells cells(scene, continuation, grid, {0});
@@ -122,7 +110,7 @@ TEST_CASE("facet cells: every cell in which a point of the facet lies is named, 
         for (std::size_t i = 0; i < polygon.size(); ++i) {
           const ImagePoint& a = scene.point(polygon[i].point);
           const ImagePoint& b = scene.point(polygon[(i + 1) % polygon.size()].point);
-          inside = inside && orientation(a, b, c) * (scene.facing[0] == Facing::back ? -1 : 1) >= 0;
+          inside = inside && orientation(a, b, c) * (scene.facing[0] == FacetFacing::back ? -1 : 1) >= 0;
         }
         if (inside) CHECK(named.contains(grid.cell(column, row)));
         for (const FacetCell& cell : cells.of(FacetId(0))) {
@@ -223,7 +211,7 @@ TEST_CASE("covers: sheets without a depth between them hide by their order") {
 TEST_CASE("roles: the inside of a sheet is plain, its border is open") {
   const Mesh mesh = sheets({{1, 0.8, 16}});
   const ProjectedScene scene = seen_from_above(mesh);
-  const std::vector<Role> roles = Found(scene).roles(scene);
+  const std::vector<Role> roles = Found(scene).roles();
   const auto plain = std::ranges::count(roles, Role::plain);
   CHECK(plain > 256);
   CHECK(plain < 512 - 64);
@@ -236,10 +224,10 @@ TEST_CASE("roles: beside a hidden facet of the sheet none is plain") {
   Found found(scene);
   const FacetId hidden(256 + 16);
   found.covers.hidden[hidden.index()] = 1;
-  const std::vector<Role> roles = found.roles(scene);
+  const std::vector<Role> roles = found.roles();
   CHECK(roles[hidden.index()] == Role::hidden);
   std::size_t beside = 0;
-  for (const EdgeId e : found.continuation.edges_of(scene, hidden)) {
+  for (const EdgeId e : found.in.continuation.edges_of(scene, hidden)) {
     for (const EdgeSide& side : scene.sides_of(e)) {
       if (side.facet == hidden) continue;
       CHECK(roles[side.facet.index()] == Role::open);

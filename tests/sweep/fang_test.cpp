@@ -78,7 +78,7 @@ Camera camera() {
 class Recorder : public AnalysisHook, public SweepObserver {
  public:
   [[nodiscard]] SweepObserver* sweep_observer() override { return this; }
-  void at(const SweepPoint& point) override { visited.emplace_back(point.x, point.y); }
+  void on_point(const SweepPoint& point) override { visited.emplace_back(point.x, point.y); }
   std::vector<std::pair<double, double>> visited;
 };
 

@@ -21,9 +21,7 @@ struct RayTally {
   Complaints complaints;
 };
 
-FacetId before_cut(const CutMesh& mesh, FacetId f) {
-  return mesh.is_cut() ? FacetId(mesh.cuts.whole_of[f.index()].index()) : f;
-}
+FacetId before_cut(const CutMesh& mesh, FacetId f) { return FacetId(mesh.uncut_facet(f).index()); }
 
 // Returns what the polygons show at a ray, as a face; nothing where they show nothing.
 std::vector<FaceId> shown(const View& view, const std::vector<std::size_t>& polygons) {

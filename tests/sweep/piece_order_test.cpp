@@ -70,7 +70,7 @@ TEST_CASE(
         CAPTURE(camera.name);
         const ProjectedScene scene = project(mesh, camera, Sides::both);
         PieceOrder order(scene);
-        REQUIRE(order.applies_to(WholeId(0), WholeId(1)));
+        REQUIRE(order.applies_to(UncutFacetId(0), UncutFacetId(1)));
         CHECK(order.lower_is_nearer(std::min(upper, lower), std::max(upper, lower)) == (rising_first == (z > 0)));
       }
     }

@@ -229,7 +229,7 @@ TEST_CASE("trace: the built-in scenes have what they are called by") {
   CHECK(std::count_if(hole.rings.begin(), hole.rings.end(), [](const LoggedRing& r) { return r.is_hole; }) == 2);
   CHECK(trace_example_named("interpenetrating")->make().mesh.is_cut());
   const SweepLog edge_on = log_of("edge-on");
-  CHECK(std::count(edge_on.scene.status.begin(), edge_on.scene.status.end(), Status::edge_on) == 1);
+  CHECK(std::count(edge_on.scene.status.begin(), edge_on.scene.status.end(), FacetStatus::edge_on) == 1);
 }
 
 TEST_CASE("trace: of coplanar faces the lower index is in front, by a rule and no arithmetic") {

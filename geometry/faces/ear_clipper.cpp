@@ -1,4 +1,4 @@
-#include "geometry/mesh/ear_clipper.h"
+#include "geometry/faces/ear_clipper.h"
 
 #include <algorithm>
 #include <array>

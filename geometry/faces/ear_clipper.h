@@ -13,7 +13,7 @@
 #include <optional>
 #include <vector>
 
-#include "geometry/mesh/face_triangulation.h"
+#include "geometry/faces/face_triangulation.h"
 
 namespace sightline::inline geometry {
 

@@ -1,4 +1,4 @@
-#include "reconstruct/labelling/visible_pieces.h"
+#include "reconstruct/labelling/surface_triangles.h"
 
 #include <algorithm>
 
@@ -22,19 +22,18 @@ constexpr std::size_t border_line = 0;
 constexpr std::size_t ring_line = 1;
 constexpr std::size_t first_panel_line = 2;
 
-class VisiblePieces {
+class SurfaceTriangles {
  public:
-  VisiblePieces(const ProjectedScene& scene, const ImagePoints& image, const VisibleSegments& segments,
-                const SurfaceInView& surface, const EdgePoints& edge_points)
-      : mesh_(scene.mesh()),
-        scene_(scene),
-        image_(image),
-        segments_(segments),
+  SurfaceTriangles(const LabelSources& from, const SurfaceInView& surface)
+      : mesh_(from.mesh),
+        scene_(from.scene),
+        image_(from.points),
+        segments_(from.segments),
         surface_(surface),
-        edge_points_(edge_points),
-        points_(image, surface.back_facing) {}
+        edge_points_(from.edge_points),
+        points_(from.points, surface.back_facing) {}
 
-  std::vector<Piece> run(const NewVertices& vertices, InnerVertices& inner) {
+  std::vector<SurfaceTriangle> run(const NewVertices& vertices, InnerVertices& inner) {
     collect_border();
     collect_points(inner);
     const auto [a, b, c] = plane_corners(mesh_, surface_.surface);
@@ -47,7 +46,7 @@ class VisiblePieces {
     for (const Line& line : lines_) constraints.push_back({line.from, line.to});
     add_regions(constrained_delaunay(points_, constraints));
     add_joins();
-    return std::move(pieces_);
+    return std::move(triangles_);
   }
 
  private:
@@ -106,7 +105,7 @@ class VisiblePieces {
     for (const PointId p : inside) {
       const auto found = std::ranges::lower_bound(known, p, {}, &KnownVertex::point);
       const bool on_line = found != known.end() && found->point == p;
-      points_.add(p, on_line ? found->vertex : inner.at(p, std::nullopt));
+      points_.add(p, on_line ? found->vertex : inner.vertex_at(p, std::nullopt));
     }
     points_.sort();
   }
@@ -261,9 +260,9 @@ class VisiblePieces {
       if (kind.outside && !kind.visible) continue;
       auto corners = triangulation.corners(TriangleId(t));
       if (surface_.back_facing) std::swap(corners[1], corners[2]);
-      pieces_.push_back({{points_[corners[0]].vertex, points_[corners[1]].vertex, points_[corners[2]].vertex},
-                         kind.visible,
-                         kind.reflecting});
+      triangles_.push_back({{points_[corners[0]].vertex, points_[corners[1]].vertex, points_[corners[2]].vertex},
+                            kind.visible,
+                            kind.reflecting});
     }
   }
 
@@ -280,7 +279,7 @@ class VisiblePieces {
 
   void add_join(VertexId a, VertexId b, VertexId c) {
     if (welded(a) == welded(b) || welded(b) == welded(c) || welded(c) == welded(a)) return;
-    pieces_.push_back({{a, b, c}, false, 0});
+    triangles_.push_back({{a, b, c}, false, 0});
   }
 
   const CutMesh& mesh_;
@@ -292,15 +291,14 @@ class VisiblePieces {
   std::vector<BorderLine> border_;
   SurfacePoints points_;
   std::vector<Line> lines_;
-  std::vector<Piece> pieces_;
+  std::vector<SurfaceTriangle> triangles_;
 };
 
 }  // namespace
 
-std::vector<Piece> visible_pieces(const ProjectedScene& scene, const ImagePoints& points,
-                                  const VisibleSegments& segments, const SurfaceInView& surface,
-                                  const EdgePoints& edge_points, const NewVertices& vertices, InnerVertices& inner) {
-  return VisiblePieces(scene, points, segments, surface, edge_points).run(vertices, inner);
+std::vector<SurfaceTriangle> surface_triangles(const LabelSources& from, const SurfaceInView& surface,
+                                               const NewVertices& vertices, InnerVertices& inner) {
+  return SurfaceTriangles(from, surface).run(vertices, inner);
 }
 
 }  // namespace sightline::inline reconstruct

@@ -1,4 +1,4 @@
-#include "reconstruct/labelling/outside_pieces.h"
+#include "reconstruct/labelling/outside_triangles.h"
 
 #include <algorithm>
 
@@ -76,15 +76,15 @@ class FlatPoints : public PlanarPoints {
   Sign turn_ = 0;
 };
 
-class OutsidePieces {
+class OutsideTriangles {
  public:
-  OutsidePieces(const ProjectedScene& scene, const ImagePoints& points, const EdgePoints& edge_points, FacetId facet,
-                std::span<const EdgeSplit> splits, InnerVertices& inner)
-      : scene_(scene), points_(points), facet_(facet), splits_(splits), inner_(inner), flat_(scene.mesh(), facet) {
-    const CutMesh& mesh = scene.mesh();
+  OutsideTriangles(const LabelSources& from, FacetId facet, std::span<const EdgeSplit> splits, InnerVertices& inner)
+      : from_(from), facet_(facet), splits_(splits), inner_(inner), flat_(from.mesh, facet) {
+    const ProjectedScene& scene = from.scene;
+    const CutMesh& mesh = from.mesh;
     const auto polygon = clip(mesh, scene.camera, facet);
     for (std::size_t i = 0; i < polygon.size(); ++i) {
-      flat_.add(polygon[i], corner_vertex(scene, scene.polygon(facet)[i], edge_points, inner), i);
+      flat_.add(polygon[i], corner_vertex(from, scene.polygon(facet)[i], inner), i);
       if (!polygon[i].edge_after.valid()) border_lines_.push_back(i);
     }
     for (const VertexId v : mesh.corners(facet)) flat_.add(exact_corner(mesh, v, scene.camera), v, FlatPoint::npos);
@@ -132,21 +132,20 @@ class OutsidePieces {
     }
     const auto corner = [&border](std::size_t i) { return border[i].vertex; };
     if (border.size() == 3 && (corner(0) == corner(1) || corner(1) == corner(2) || corner(2) == corner(0))) return;
-    const auto pieces = convex_pieces(border);
-    result.insert(result.end(), pieces.begin(), pieces.end());
+    const auto triangles = convex_triangles(border);
+    result.insert(result.end(), triangles.begin(), triangles.end());
   }
 
   // Seen from outside, the lines of the clipped polygon run backwards.
   void add_splits(const FlatPoint& from, const FlatPoint& to, std::uint32_t side, std::vector<BorderPoint>& border) {
     if (to.clipped == FlatPoint::npos || next_corner(to.clipped) != from.clipped) return;
     if (std::find(border_lines_.begin(), border_lines_.end(), to.clipped) == border_lines_.end()) return;
-    auto splits = splits_between(scene_, points_, facet_, to.clipped, splits_);
+    auto splits = splits_between(from_, facet_, to.clipped, splits_);
     std::reverse(splits.begin(), splits.end());
-    for (const PointId p : splits) border.push_back({inner_.at(p, std::nullopt), side});
+    for (const PointId p : splits) border.push_back({inner_.vertex_at(p, std::nullopt), side});
   }
 
-  const ProjectedScene& scene_;
-  const ImagePoints& points_;
+  const LabelSources& from_;
   const FacetId facet_;
   const std::span<const EdgeSplit> splits_;
   InnerVertices& inner_;
@@ -158,11 +157,10 @@ class OutsidePieces {
 
 }  // namespace
 
-std::vector<std::array<VertexId, 3>> outside_pieces(const ProjectedScene& scene, const ImagePoints& points,
-                                                    const EdgePoints& edge_points, FacetId facet,
-                                                    std::span<const EdgeSplit> splits_of_view_border,
-                                                    InnerVertices& inner) {
-  return OutsidePieces(scene, points, edge_points, facet, splits_of_view_border, inner).run();
+std::vector<std::array<VertexId, 3>> outside_triangles(const LabelSources& from, FacetId facet,
+                                                       std::span<const EdgeSplit> splits_of_view_border,
+                                                       InnerVertices& inner) {
+  return OutsideTriangles(from, facet, splits_of_view_border, inner).run();
 }
 
 }  // namespace sightline::inline reconstruct

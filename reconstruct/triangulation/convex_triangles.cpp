@@ -1,4 +1,4 @@
-#include "reconstruct/triangulation/convex_pieces.h"
+#include "reconstruct/triangulation/convex_triangles.h"
 
 #include <algorithm>
 
@@ -74,7 +74,7 @@ class EarCutter {
 
 }  // namespace
 
-std::vector<std::array<VertexId, 3>> convex_pieces(std::span<const BorderPoint> border) {
+std::vector<std::array<VertexId, 3>> convex_triangles(std::span<const BorderPoint> border) {
   if (border.size() == 3) return {{border[0].vertex, border[1].vertex, border[2].vertex}};
   return EarCutter(border).run();
 }

@@ -1,12 +1,8 @@
-#include "reflect/world/wholes.h"
+#include "reflect/world/uncut_facets.h"
 
 #include "geometry/mesh/facet_plane.h"
 
 namespace sightline::inline reflect {
-
-std::span<const VertexId> whole_corners(const CutMesh& mesh, WholeId whole) {
-  return mesh.is_cut() ? mesh.cuts.wholes[whole.index()] : mesh.corners(FacetId(whole.index()));
-}
 
 Box box_of(const CutMesh& mesh, std::span<const VertexId> corners) {
   Box box{mesh.position(corners.front()), mesh.position(corners.front())};
@@ -14,9 +10,9 @@ Box box_of(const CutMesh& mesh, std::span<const VertexId> corners) {
   return box;
 }
 
-CutPolygon whole_polygon(const CutMesh& mesh, WholeId whole) {
+CutPolygon uncut_polygon(const CutMesh& mesh, UncutFacetId uncut) {
   CutPolygon polygon;
-  for (const VertexId v : whole_corners(mesh, whole)) polygon.push_back({exact_position(mesh.position(v)), v, {}});
+  for (const VertexId v : mesh.uncut_corners(uncut)) polygon.push_back({exact_position(mesh.position(v)), v, {}});
   return polygon;
 }
 

@@ -1,4 +1,4 @@
-#include "geometry/mesh/face_shape.h"
+#include "geometry/faces/face_shape.h"
 
 #include <tuple>
 

@@ -22,6 +22,6 @@ struct BorderPoint {
   std::uint32_t side = 0;  // of the line to the next point
 };
 
-[[nodiscard]] std::vector<std::array<VertexId, 3>> convex_pieces(std::span<const BorderPoint> border);
+[[nodiscard]] std::vector<std::array<VertexId, 3>> convex_triangles(std::span<const BorderPoint> border);
 
 }  // namespace sightline::inline reconstruct

@@ -23,7 +23,7 @@
 #include <span>
 #include <vector>
 
-#include "geometry/mesh/face_shape.h"
+#include "geometry/faces/face_shape.h"
 
 namespace sightline::inline geometry {
 

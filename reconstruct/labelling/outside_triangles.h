@@ -10,16 +10,12 @@
 #include <array>
 #include <vector>
 
-#include "geometry/mesh/cut_mesh.h"
-#include "geometry/projection/projected_scene.h"
 #include "reconstruct/labelling/facet_border.h"
 
 namespace sightline::inline reconstruct {
 
-[[nodiscard]] std::vector<std::array<VertexId, 3>> outside_pieces(const ProjectedScene& scene,
-                                                                  const ImagePoints& points,
-                                                                  const EdgePoints& edge_points, FacetId facet,
-                                                                  std::span<const EdgeSplit> splits_of_view_border,
-                                                                  InnerVertices& inner);
+[[nodiscard]] std::vector<std::array<VertexId, 3>> outside_triangles(const LabelSources& from, FacetId facet,
+                                                                     std::span<const EdgeSplit> splits_of_view_border,
+                                                                     InnerVertices& inner);
 
 }  // namespace sightline::inline reconstruct

@@ -1,9 +1,9 @@
-#include "geometry/mesh/face_triangulation.h"
+#include "geometry/faces/face_triangulation.h"
 
 #include <algorithm>
 #include <bit>
 
-#include "geometry/mesh/ear_clipper.h"
+#include "geometry/faces/ear_clipper.h"
 
 namespace sightline::inline geometry {
 

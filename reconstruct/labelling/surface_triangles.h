@@ -16,24 +16,16 @@
 #include <span>
 #include <vector>
 
-#include "geometry/mesh/cut_mesh.h"
-#include "geometry/projection/projected_scene.h"
 #include "reconstruct/labelling/facet_border.h"
+#include "reconstruct/labelling/label_sources.h"
 #include "reconstruct/labelling/new_vertices.h"
-#include "reconstruct/polygons/visible_polygons.h"
 
 namespace sightline::inline reconstruct {
 
-struct Piece {
+struct SurfaceTriangle {
   std::array<VertexId, 3> corners;
   bool visible = false;
   std::uint64_t reflecting = 0;  // bit per panel
-};
-
-// This is a piece of the border of what reflects a panel, within a visible polygon.
-struct ReflectingSegment {
-  VisibleSegment segment;
-  std::size_t panel = 0;
 };
 
 struct SurfaceInView {
@@ -45,9 +37,7 @@ struct SurfaceInView {
 };
 
 // `vertices` are those of the labelled surface.
-[[nodiscard]] std::vector<Piece> visible_pieces(const ProjectedScene& scene, const ImagePoints& points,
-                                                const VisibleSegments& segments, const SurfaceInView& surface,
-                                                const EdgePoints& edge_points, const NewVertices& vertices,
-                                                InnerVertices& inner);
+[[nodiscard]] std::vector<SurfaceTriangle> surface_triangles(const LabelSources& from, const SurfaceInView& surface,
+                                                             const NewVertices& vertices, InnerVertices& inner);
 
 }  // namespace sightline::inline reconstruct

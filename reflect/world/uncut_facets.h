@@ -10,12 +10,9 @@
 
 namespace sightline::inline reflect {
 
-// Returns the corners of a whole: of a facet, where the mesh was not cut.
-[[nodiscard]] std::span<const VertexId> whole_corners(const CutMesh& mesh, WholeId whole);
-
 [[nodiscard]] Box box_of(const CutMesh& mesh, std::span<const VertexId> corners);
 
-[[nodiscard]] CutPolygon whole_polygon(const CutMesh& mesh, WholeId whole);
+[[nodiscard]] CutPolygon uncut_polygon(const CutMesh& mesh, UncutFacetId uncut);
 
 // Three corners that are not on one line.
 [[nodiscard]] std::array<Point3, 3> plane_points(const CutMesh& mesh, FacetId facet);
