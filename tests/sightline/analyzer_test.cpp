@@ -28,7 +28,7 @@ Camera from_above(double x = 0.3) {
   return perspective_camera("above", view, 40);
 }
 
-std::vector<Panel> lamp() { return {{"lamp", {{-2, 1, 4}, {2, 1, 4}, {2, 5, 4}, {-2, 5, 4}}, {}}}; }
+std::vector<Panel> lamp() { return {{"lamp", {{-2, 5, 4}, {2, 5, 4}, {2, 1, 4}, {-2, 1, 4}}, {}}}; }
 
 struct Recorder : AnalysisHook {
   std::vector<Stage> begun;
