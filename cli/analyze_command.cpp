@@ -23,7 +23,7 @@ namespace sightline::cli {
 
 namespace {
 
-// Of a thread; all count against the limit of memory.
+// Each thread has so large a stack; all count against the limit of memory.
 constexpr std::size_t stack_bytes = std::size_t{1} << 20;
 
 SceneDescription scene_of(const AnalyzeOptions& options) {
@@ -32,7 +32,7 @@ SceneDescription scene_of(const AnalyzeOptions& options) {
   return scene;
 }
 
-// Of cameras or panels.
+// Returns the names of cameras or panels.
 template <class Item>
 std::vector<std::string> names_of(const std::vector<Item>& items) {
   std::vector<std::string> names;

@@ -11,7 +11,7 @@ namespace sightline::cli {
 
 namespace {
 
-// Of every command; parsing fills in those of the one that is asked for.
+// Every command has its texts here; parsing fills in those of the one that is asked for.
 struct OptionTexts {
   AnalyzeTexts analyze;
   CompareTexts compare;

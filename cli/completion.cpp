@@ -9,7 +9,7 @@ namespace sightline::cli {
 
 namespace {
 
-// What follows an option.
+// This says what follows an option.
 enum class Follows : std::uint8_t { nothing, words, folder, other };
 
 struct CompletionOption {

@@ -1,4 +1,5 @@
-// What of a labelled surface is seen, and mirrors which panels: all that coverage (coverage.h) keeps of a view.
+// A seen part is all that coverage (coverage.h) keeps of a view: what of the labelled surface is seen, and mirrors which
+// panels.
 //
 // In:  the labelled surface of one camera. Out: per surface (surface_of in facet_plane.h) of which something is seen,
 //      its triangles that are seen.

@@ -12,7 +12,7 @@ using namespace sightline;
 
 namespace {
 
-// Of the window [-1, 1]^2, whose area is 4.
+// Returns shares of the window [-1, 1]^2, whose area is 4.
 std::map<FaceId, double> visible_shares(const VisiblePolygons& visible) {
   std::map<FaceId, double> shares;
   for (const VisiblePolygon& polygon : visible.polygons) {

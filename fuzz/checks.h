@@ -1,4 +1,4 @@
-// What a fuzzer asks of sightline, a function per target. libFuzzer calls them with inputs that it makes up (target.cpp),
+// A fuzzer asks this of sightline, by a function per target. libFuzzer calls them with inputs that it makes up (target.cpp),
 // the tests with every file of corpus/ (tests/fuzz/fuzz_corpus_test.cpp).
 //
 // In:  any bytes. Out: nothing; the call returns.

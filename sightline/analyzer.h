@@ -37,7 +37,7 @@ class SIGHTLINE_EXPORT Analyzer {
   [[nodiscard]] std::shared_ptr<const CutMesh> shared_mesh() const { return mesh_; }
   [[nodiscard]] const AnalysisOptions& options() const { return options_; }
 
-  // What the camera sees, and the surface labelled by it.
+  // Returns what the camera sees, and the surface labelled by it.
   [[nodiscard]] View view(const Camera& camera) const;
 
   // The same, and which part of that mirrors the panels into the camera. Errors: PanelError.
@@ -46,13 +46,13 @@ class SIGHTLINE_EXPORT Analyzer {
   // The same with what all cameras share prepared once. Precondition: the world is this analyzer's.
   [[nodiscard]] View view(const Camera& camera, const MirrorWorld& world) const;
 
-  // What can be reflected, and what can be in the way. Errors: PanelError.
+  // Returns what can be reflected, and what can be in the way. Errors: PanelError.
   [[nodiscard]] MirrorWorld world(std::vector<Panel> panels) const;
 
-  // The stages up to the visible polygons; nothing is labelled.
+  // Runs the stages up to the visible polygons; nothing is labelled.
   [[nodiscard]] Visibility visible(const Camera& camera) const;
 
-  // Which sides of the faces count for the camera.
+  // Returns which sides of the faces count for the camera.
   [[nodiscard]] SidesDecision sides(const Camera& camera) const;
 
  private:

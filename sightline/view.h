@@ -1,4 +1,4 @@
-// What is known of one view of a surface.
+// A view is all that is known of how a camera sees a surface.
 #pragma once
 
 #include "geometry/projection/culling.h"
@@ -10,7 +10,7 @@
 
 namespace sightline {
 
-// What a camera sees: all that the sweep finds.
+// The visibility is what a camera sees: all that the sweep finds.
 struct Visibility {
   SidesDecision sides;
   ProjectedScene scene;

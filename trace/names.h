@@ -1,4 +1,4 @@
-// What points, edges and faces are called in a log.
+// These names are what points, edges and faces are called in a log.
 //
 // In:  a view, and the names of vertices and faces that a scene brings with it.
 // Out: short names. A vertex without a name of its own is v and its number in the file, from 1; a corner that was

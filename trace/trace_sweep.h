@@ -18,7 +18,7 @@ namespace sightline::trace {
 
 constexpr std::size_t most_traced_points = 5000;
 
-// What is traced, and what its vertices, edges and faces are called.
+// This view is traced, and its vertices, edges and faces are called so.
 struct TracedView {
   std::shared_ptr<const CutMesh> mesh;
   Camera camera;

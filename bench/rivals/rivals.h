@@ -1,4 +1,4 @@
-// What sightline is measured against: each in a file of its own, each optional.
+// The rivals are what sightline is measured against. Each is in a file of its own, and each is optional.
 //
 // In:  what sightline works on.
 // Out: the rival's processor time in seconds, on one thread; empty where it was not installed when this was built.

@@ -48,7 +48,7 @@ class AnalysisWatch : public AnalysisHook {
   StageSeconds seconds_;
 };
 
-// What was read for all cameras of a scene.
+// The input is read once for all cameras of a scene.
 struct MeshInput : ObjFile {
   double read_seconds = 0;
 };

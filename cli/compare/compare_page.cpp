@@ -175,7 +175,7 @@ std::string areas_here(const std::vector<const CompareRun*>& done) {
   return text + ". " + faces_text(last);
 }
 
-// Of what is seen of the scene by this peer: for a reader who asks how wrong it is here.
+// Returns what this peer sees of the scene, for a reader who asks how wrong it is here.
 std::string here(const std::vector<const CompareRun*>& runs) {
   std::vector<const CompareRun*> done;
   for (const CompareRun* run : runs) {

@@ -19,7 +19,7 @@ struct ComparePictures {
 
 [[nodiscard]] ComparePictures pictures_of(const peers::ItemBuffer& seen, const std::vector<float>& wrong);
 
-// Of visible parts, with pixels of their own.
+// Draws visible parts, with pixels of their own.
 [[nodiscard]] ComparePictures pictures_of(const peers::VisibleParts& seen, const peers::ExactParts& exact);
 
 // Black on white, in one picture; where they are wrong is not shown.

@@ -1,4 +1,4 @@
-// What `sightline compare` finds: for each peer, in a process of its own, how long it took on the scene, what memory, how
+// `sightline compare` finds, for each peer, in a process of its own, how long it took on the scene, what memory, how
 // wrong it is, and pictures.
 //
 // Holds: time and memory are the peer's alone, from the flat scene on, in one thread: not those of measuring it. Memory is
@@ -20,7 +20,7 @@
 
 namespace sightline::cli {
 
-// What became of a run. An end that is not listed here does not exist.
+// The end says what became of a run. An end that is not listed here does not exist.
 enum class CompareEnd : std::uint8_t {
   done,
   out_of_time,

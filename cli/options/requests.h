@@ -1,4 +1,4 @@
-// What the command line asks for: a request per command.
+// The command line asks for one of these: there is a request per command.
 #pragma once
 
 #include <cstdint>
@@ -61,7 +61,7 @@ struct TraceOptions {
   std::optional<Precision> precision;  // instead of exact, or the example's
 };
 
-// What --help or --version asked for; print it and be done.
+// --help or --version asked for this text; print it and be done.
 struct RequestedText {
   std::string text;
 };

@@ -1,4 +1,4 @@
-// What the page of the report knows of one camera, as arrays (ArrayBlock).
+// The page of the report knows one camera by these arrays (ArrayBlock).
 //
 // positions (f32, x y z in units of the ball's radius, from its centre), corners (u32, three per triangle), triangle_face (u32),
 // triangle_state (u8: bits 0 and 1 the label, bit 2 seen, bits 3 to 5 whether the edge from corner 0, 1, 2 to the next

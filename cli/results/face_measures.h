@@ -1,4 +1,4 @@
-// What the camera sees of each input face, in numbers.
+// Face measures say in numbers what the camera sees of each input face.
 //
 // In:  a mesh and the view of it. Out: one FaceMeasures per input face, in file order.
 // Units: 3D areas in input units squared; image areas in the window [-1, 1]^2, so at most 4.

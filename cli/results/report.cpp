@@ -151,7 +151,7 @@ Report::BelowResolution below_resolution_of(const VisiblePolygons& polygons) {
   return {count, faces};
 }
 
-// What the reader skipped, and polygons below resolution.
+// Warns of what the reader skipped, and of polygons below resolution.
 std::vector<std::string> warnings_of(const MeshInput& input, std::size_t faces_below_resolution) {
   std::vector<std::string> warnings = input.warnings;
   if (faces_below_resolution > 0) {

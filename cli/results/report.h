@@ -1,4 +1,5 @@
-// What was analysed for one camera, how, what came out, and what it cost: in values. report_json.h writes them.
+// The report has, in values, what was analysed for one camera, how, what came out, and what it cost. report_json.h writes
+// them.
 //
 // Equal between runs except for the seconds and the peak memory. Lengths and areas in input units, image areas in the
 // window [-1, 1]^2.

@@ -56,7 +56,7 @@ Json areas_json(const Report::Areas& areas) {
           {"image_uncovered", areas.image_uncovered}};
 }
 
-// What the mode was asked for, and how far it came.
+// Says what the mode was asked for, and how far it came.
 Json mode_json(const Report::Reflection& reflection) {
   const ReflectionOptions& asked = reflection.asked;
   Json part = {{"mode", to_string(asked.mode)}};

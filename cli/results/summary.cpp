@@ -43,7 +43,7 @@ std::string camera_line(const Report& report) {
                      fmt::format("{:.1f} %", filled), fmt::format("{:.3f}", report.seconds.total()));
 }
 
-// What each panel is worth to each camera: on the surface, and of what the camera sees of it.
+// Says what each panel is worth to each camera: on the surface, and of what the camera sees of it.
 std::string panel_lines(const std::vector<Report>& reports) {
   if (reports.front().reflection.panels.empty()) return "";
   std::string text =
@@ -59,7 +59,7 @@ std::string panel_lines(const std::vector<Report>& reports) {
   return text;
 }
 
-// What the cameras see together, where that is more to say than a camera's own line.
+// Says what the cameras see together, where that is more to say than a camera's own line.
 std::string coverage_lines(const Coverage& coverage) {
   if (coverage.cameras.size() < 2) return "";
   const auto line = [&](const char* what, double area) {

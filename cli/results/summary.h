@@ -1,4 +1,4 @@
-// What a person is told at the end: a table of at most 80 columns, one line per camera, and where to look.
+// The summary tells a person at the end how it went: a table of at most 80 columns, one line per camera, and where to look.
 #pragma once
 
 #include <string>

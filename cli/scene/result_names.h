@@ -14,7 +14,7 @@ namespace sightline::cli {
 constexpr const char* coverage_file = "coverage.csv";
 constexpr const char* report_page_file = "report.html";
 
-// What is wrong with the name; nothing for a good one.
+// Returns what is wrong with the name; nothing for a good one.
 [[nodiscard]] std::optional<std::string> name_defect(std::string_view name);
 
 // Also where the file system, or the one that results are copied to, tells no capitals from small letters.

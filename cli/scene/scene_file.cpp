@@ -66,7 +66,7 @@ std::string read_file_name(const TomlReader& mesh) {
   return name;
 }
 
-// Of the elements of [[camera]] or [[panel]], which have distinct names.
+// Reads the elements of [[camera]] or [[panel]], which have distinct names.
 template <class Item, class Read>
 std::vector<Item> read_tables(const toml::array& elements, const std::string& path, const std::string& kind,
                               Read read) {

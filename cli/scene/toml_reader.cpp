@@ -22,7 +22,7 @@ std::string joined(std::initializer_list<std::string_view> words) {
 
 }  // namespace
 
-// Of several unknown keys the first one in the file, whatever the order in which the table keeps them.
+// Of several unknown keys the error names the first one in the file, whatever the order in which the table keeps them.
 void TomlReader::allow_only(std::initializer_list<std::string_view> known) const {
   const toml::key* first = nullptr;
   for (const auto& [key, value] : *table_) {

@@ -1,4 +1,4 @@
-// What `sightline stability` writes: a table, a plot per family, and a page with everything.
+// `sightline stability` writes a table, a plot per family, and a page with everything.
 //
 // In:  the families' runs: for each family, by value, then by arithmetic. Out: texts, equal in every run but for the
 //      times.
@@ -22,7 +22,7 @@ struct FamilyRuns {
 // Mislabelled area against the parameter, a curve per arithmetic, and the bound of what the grid explains.
 [[nodiscard]] std::string stability_plot(const FamilyRuns& runs);
 
-// What one arithmetic did in a family, in one sentence.
+// Says in one sentence what one arithmetic did in a family.
 [[nodiscard]] std::string finding(const FamilyRuns& runs, Arithmetic arithmetic);
 
 // Self-contained HTML.

@@ -37,8 +37,8 @@ void undo(const Replacement& replacement, Replaced replaced);
 // Where the old one is afterwards. Precondition: there was one.
 [[nodiscard]] const std::filesystem::path& old_one(const Replacement& replacement, Replaced replaced);
 
-// What a user put into a folder of results, when new results take the folder's place: every entry of the old folder that
-// the new one has no entry of the same name for is carried over, so that it is never missing: files as hard links (the
+// A user may have put files into a folder of results whose place new results take. Every entry of the old folder that the
+// new one has no entry of the same name for is carried over, so that it is never missing: files as hard links (the
 // same file, under both names for a moment), or copies where the file system has no hard links or forbids this one;
 // links as links; folders with their permissions and all that is in them.
 // Errors: std::filesystem::filesystem_error, and then the old folder is as it was.

@@ -1,4 +1,4 @@
-// What a run costs: time and memory.
+// A run costs time and memory; both are measured here.
 #pragma once
 
 #include <sys/resource.h>
@@ -19,7 +19,7 @@ class Stopwatch {
   Clock::time_point start_ = Clock::now();
 };
 
-// Of processor time: what else runs on the machine does not count. Of this process, all its threads together.
+// This measures the processor time of this process, all its threads together: what else runs on the machine does not count.
 class ProcessorTime {
  public:
   [[nodiscard]] double seconds() const { return now() - start_; }
@@ -33,7 +33,7 @@ class ProcessorTime {
   double start_ = now();
 };
 
-// Of the processes it has started that have ended.
+// This measures the processes that it has started and that have ended.
 class ChildrenTime {
  public:
   [[nodiscard]] double seconds() const { return now() - start_; }
@@ -51,7 +51,7 @@ class ChildrenTime {
 // The most memory that the process has held at once.
 [[nodiscard]] std::uint64_t peak_memory_bytes();
 
-// What memory the process holds, as Linux counts it (/proc/self); 0 where it does not say. Asking takes about 0.1 ms.
+// Returns what memory the process holds, as Linux counts it (/proc/self); 0 where it does not say. Asking takes about 0.1 ms.
 [[nodiscard]] std::size_t resident_bytes();
 
 // The most that was held since the last reset_peak().

@@ -33,7 +33,7 @@ class ResultFolders {
 
   // Makes the folder at its first file. Returns when the file is on the disk.
   void write(const std::string& name, const std::string& file, std::string_view content);
-  // What `write_text` appends, while it does.
+  // Writes what `write_text` appends, while it does.
   void write(const std::string& name, const std::string& file, const std::function<void(TextBuffer&)>& write_text);
 
   // A file beside the folders. Returns when it is on the disk.

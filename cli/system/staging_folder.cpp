@@ -48,7 +48,7 @@ bool has_name(const Descriptor& folder) {
   return fstat(folder.number(), &status) == 0 && status.st_nlink > 0;
 }
 
-// What a run that was killed between two renames had moved away from its place.
+// Puts back what a run that was killed between two renames had moved away from its place.
 void restore_old_results(const fs::path& leftover, const fs::path& parent) {
   std::error_code ignored;
   for (const fs::directory_entry& entry : fs::directory_iterator(leftover / "old", ignored)) {

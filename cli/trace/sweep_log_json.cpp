@@ -10,7 +10,7 @@ namespace {
 
 constexpr int format_version = 1;
 
-// Of a segment: none is null.
+// A segment that is none is null.
 Json number_json(trace::SegmentNumber number) { return number == 0 ? Json(nullptr) : Json(number); }
 
 Json faces_json(const trace::SweepLog& log) {

@@ -12,7 +12,7 @@
 
 namespace sightline::cli {
 
-// What was traced; texts are as the user gave them.
+// This is what was traced; texts are as the user gave them.
 struct TracedScene {
   std::string title;
   std::string what;

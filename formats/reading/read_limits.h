@@ -1,4 +1,4 @@
-// What a reader of OBJ is asked for, and how much it may take; obj_reader.h says what is read and refused.
+// The limits say what a reader of OBJ is asked for, and how much it may take; obj_reader.h says what is read and refused.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,7 @@ enum class Normals : std::uint8_t { passed_over, read };
 // quarter of a minute.
 constexpr std::size_t most_corners = 10000;
 
-// What it takes to hold the statements, to build a mesh of them, to look for facets that meet, and to project it: a
+// Returns what memory it takes to hold the statements, to build a mesh of them, to look for facets that meet, and to project it: a
 // measured upper bound (obj_statements.cpp says how) where no more facets meet than there are.
 [[nodiscard]] SIGHTLINE_EXPORT std::uint64_t memory_for_mesh(std::uint64_t vertices, std::uint64_t corners,
                                                              std::uint64_t faces);

@@ -12,7 +12,7 @@
 
 namespace sightline::inline geometry {
 
-// What is known of the uncut facets. All of it is empty where nothing was cut.
+// The cuts are what is known of the uncut facets. All of it is empty where nothing was cut.
 struct FacetCuts {
   std::vector<ExactPosition> points;         // the exact positions of the vertices behind those of the input
   PolygonList uncut_facets;                  // the facets before, all of them; corners are the input's vertices
@@ -46,17 +46,17 @@ struct CutMesh : PolygonMesh {
   }
 };
 
-// The mesh as it is, for a caller who knows that none of its facets pass through each other, or who accepts that where
+// Returns the mesh as it is, for a caller who knows that none of its facets pass through each other, or who accepts that where
 // they do the wrong facet is on top in places.
 [[nodiscard]] SIGHTLINE_EXPORT CutMesh uncrossed(Mesh mesh);
 
-// The exact position of a vertex, whether it is the input's or made by cutting.
+// Returns the exact position of a vertex, whether it is the input's or made by cutting.
 [[nodiscard]] SIGHTLINE_EXPORT ExactPosition exact_position(const CutMesh& mesh, VertexId v);
 
-// Whether three vertices lie on one line, exactly.
+// Returns whether three vertices lie on one line, exactly.
 [[nodiscard]] SIGHTLINE_EXPORT bool collinear(const CutMesh& mesh, VertexId a, VertexId b, VertexId c);
 
-// What of the above does not hold, one line each, with the ids; empty for a valid mesh.
+// Returns what of the above does not hold, one line each, with the ids; empty for a valid mesh.
 [[nodiscard]] SIGHTLINE_EXPORT std::vector<std::string> validate(const CutMesh& mesh);
 
 }  // namespace sightline::inline geometry

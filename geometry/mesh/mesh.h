@@ -54,7 +54,7 @@ struct FaceDefect {
   Defect defect;
 };
 
-// What a mesh has in common with one whose facets were cut (cut_mesh.h): polygons, and their topology.
+// A mesh has this in common with one whose facets were cut (cut_mesh.h): polygons, and their topology.
 struct PolygonMesh {
   std::vector<Point3> vertices;
   PolygonList faces;                      // as the input gives them, defects included
@@ -90,7 +90,7 @@ struct Mesh : PolygonMesh {};
 // with file and line).
 [[nodiscard]] SIGHTLINE_EXPORT Mesh build_mesh(std::vector<Point3> vertices, PolygonList faces);
 
-// What of the above does not hold, one line each, with the ids; empty for a valid mesh.
+// Returns what of the above does not hold, one line each, with the ids; empty for a valid mesh.
 [[nodiscard]] SIGHTLINE_EXPORT std::vector<std::string> validate(const Mesh& mesh);
 
 }  // namespace sightline::inline geometry

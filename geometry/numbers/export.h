@@ -1,4 +1,4 @@
-// What users of the shared library may call. All that is not marked stays inside it.
+// Users of the shared library may call what has this mark. All that is not marked stays inside it.
 #pragma once
 
 #define SIGHTLINE_EXPORT [[gnu::visibility("default")]]

@@ -36,14 +36,14 @@ LabelSources::LabelSources(const ProjectedScene& scene, const VisibleSegments& s
 }
 
 std::span<const EdgeSplit> LabelSources::border_splits_of(FacetId f) const {
-  const auto found = std::ranges::equal_range(border_splits, f, {}, &EdgeSplit::facet);
-  return {found.begin(), found.end()};
+  const auto first = std::ranges::lower_bound(border_splits, f, {}, &EdgeSplit::facet);
+  return {first, std::ranges::upper_bound(border_splits, f, {}, &EdgeSplit::facet)};
 }
 
 std::span<const ReflectingSegment> LabelSources::reflecting_on(FacetId surface) const {
-  const auto found =
-      std::ranges::equal_range(reflecting, surface, {}, [](const ReflectingSegment& r) { return r.segment.facet; });
-  return {found.begin(), found.end()};
+  const auto facet = [](const ReflectingSegment& r) { return r.segment.facet; };
+  const auto first = std::ranges::lower_bound(reflecting, surface, {}, facet);
+  return {first, std::ranges::upper_bound(reflecting, surface, {}, facet)};
 }
 
 }  // namespace sightline::inline reconstruct

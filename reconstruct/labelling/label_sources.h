@@ -1,4 +1,4 @@
-// What all surfaces are labelled from.
+// The sources are what all surfaces are labelled from.
 //
 // In:  a view: projected scene, visible segments and polygons, and the borders of what reflects panels.
 // Out: these, and what is common to all surfaces: the points of the image, the mesh's vertices, and the points on its edges

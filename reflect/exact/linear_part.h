@@ -1,4 +1,4 @@
-// What of a triangle of the image lies where functions, known at its corners and linear between them, are not negative.
+// The linear part is what of a triangle of the image lies where functions, known at its corners and linear between them, are not negative.
 //
 // In:  a right triangle with two sides along the axes, its corners grid points; per function its values at the corners.
 // Out: a convex polygon on the grid that has the wanted part in common with the triangle, its corners rounded once; it

@@ -1,4 +1,4 @@
-// What a camera sees in a flat mirror, exactly.
+// A mirror view is what a camera sees in a flat mirror, exactly.
 //
 // The mirror camera (Koucky's C_r) is the camera's mirror image in the mirror's plane. What it sees through the mirror
 // is what the camera sees in it, at the same places of the image: the mirror's own points are their own mirror images.

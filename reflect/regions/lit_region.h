@@ -1,4 +1,4 @@
-// What of a panel's image in the mirror no obstacle hides.
+// The lit region is what of a panel's image in the mirror no obstacle hides.
 //
 // In:  convex polygons of the image (but for rounding): the panel's, and the shadows: the images of what is between the
 //      mirror and the panel.

@@ -1,4 +1,4 @@
-// What two regions of the image have in common, exactly.
+// The overlay finds what two regions of the image have in common, exactly.
 //
 // In:  the borders of two regions, in directed segments: closed rings with the region to their left. The first region's
 //      segments meet in end points only. Those of the second may lie on and across each other; a place is in it where its

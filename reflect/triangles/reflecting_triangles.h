@@ -6,7 +6,7 @@
 //      2. in the pyramid from the camera's mirror image at the triangle's plane (C_r) through the triangle there is no
 //         vertex of the surface between the triangle's plane and the panel's.
 // Normals: those of the triangle, or the vertices', interpolated within their face (shading_normals.h).
-// What it misses, by design: a panel that is seen in part of a triangle, an obstacle without a vertex in the pyramid
+// It misses, by design, a panel that is seen in part of a triangle, an obstacle without a vertex in the pyramid
 // (and panels as obstacles). mirror.h has the exact answer; this is here to be compared with it.
 // Floating point. Complexity: O(1) per triangle and panel where a corner misses the panel, else a search among the
 // vertices.

@@ -1,4 +1,4 @@
-// What the sweep has to look at.
+// Roles say what the sweep has to look at.
 //
 // In:  a scene in cells, and what covers hide in it.
 // Out: per facet its role.

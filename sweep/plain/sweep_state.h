@@ -1,6 +1,6 @@
-// What there is to see of a sweep right after a sweep point: for teaching and tracing.
+// The state is what there is to see of a sweep right after a sweep point, for teaching and tracing.
 //
-// In:  a sweep calls SweepObserver::look with its state. Out: where the sweep is, what comes next, the active edge list
+// In:  a sweep calls SweepObserver::on_state with its state. Out: where the sweep is, what comes next, the active edge list
 //      with its node lists, and the visible segments so far.
 // Holds: during the call only. A segment that is open lacks its end (its start where it runs upwards).
 // Complexity: upcoming copies the crossings that wait; the rest is O(1). Nothing is computed that is not asked for.

@@ -1,4 +1,4 @@
-// What rays through the centres of pixels see, exactly: what image-precision peers are held against.
+// Rays through the centres of pixels see exactly this: what image-precision peers are held against.
 //
 // In:  a mesh and its projected scene; a resolution that is a power of two, so that centres are grid points.
 // Out: the nearest facet's face per pixel, at equal depth the lower face index (oracle/judging/ray_caster.h).
