@@ -66,21 +66,21 @@ std::vector<std::uint8_t> hidden_surfaces(const ProjectedScene& scene, const std
 
 }  // namespace
 
-SceneInCells::SceneInCells(const ProjectedScene& of, std::optional<int> level)
-    : scene(of),
-      continuation(of),
-      depths(depth_ranges(of)),
-      hidden(hidden_surfaces(of, depths)),
-      grid(of.grid_bits, level ? *level : level_for(of, continuation, hidden)),
-      cells(of, continuation, grid, hidden) {}
+SceneInCells::SceneInCells(const ProjectedScene& whole, std::optional<int> level)
+    : scene(whole),
+      continuation(whole),
+      depths(depth_ranges(whole)),
+      hidden(hidden_surfaces(whole, depths)),
+      grid(whole.grid_bits, level ? *level : level_for(whole, continuation, hidden)),
+      cells(whole, continuation, grid, hidden) {}
 
-SceneInCells::SceneInCells(const ProjectedScene& of, int level, std::vector<std::uint8_t> known_hidden)
-    : scene(of),
-      continuation(of),
-      depths(depth_ranges(of)),
+SceneInCells::SceneInCells(const ProjectedScene& whole, int level, std::vector<std::uint8_t> known_hidden)
+    : scene(whole),
+      continuation(whole),
+      depths(depth_ranges(whole)),
       hidden(std::move(known_hidden)),
-      grid(of.grid_bits, level),
-      cells(of, continuation, grid, hidden) {}
+      grid(whole.grid_bits, level),
+      cells(whole, continuation, grid, hidden) {}
 
 void keep_surfaces_whole(const ProjectedScene& scene, std::vector<std::uint8_t>& hidden) {
   const CutMesh& mesh = scene.mesh();

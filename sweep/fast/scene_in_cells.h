@@ -22,10 +22,10 @@ namespace sightline::inline sweep {
 
 struct SceneInCells {
   // The level is the grid's, where it is not to be found (cell_grid.h).
-  explicit SceneInCells(const ProjectedScene& scene, std::optional<int> level = std::nullopt);
+  explicit SceneInCells(const ProjectedScene& whole, std::optional<int> level = std::nullopt);
 
   // Those facets are hidden which are said to be, and no others.
-  SceneInCells(const ProjectedScene& scene, int level, std::vector<std::uint8_t> hidden);
+  SceneInCells(const ProjectedScene& whole, int level, std::vector<std::uint8_t> known_hidden);
 
   const ProjectedScene& scene;
   const Continuation continuation;

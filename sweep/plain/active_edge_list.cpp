@@ -9,6 +9,13 @@ void ActiveEdgeList::set_edges(BundleId b, std::span<const EdgeId> edges) {
   for (const EdgeId e : edges) bundle_of_edge_[e.index()] = b;
 }
 
+// An edge may come up that nobody knew of before.
+void ActiveEdgeList::add_edge(BundleId b, EdgeId e) {
+  entry(b).bundle.edges.push_back(e);
+  if (e.index() >= bundle_of_edge_.size()) bundle_of_edge_.resize(e.index() + 1);
+  bundle_of_edge_[e.index()] = b;
+}
+
 BundleId ActiveEdgeList::allocate() {
   if (!free_.empty()) {
     const BundleId b = free_.back();

@@ -43,8 +43,11 @@ class ActiveEdgeList {
   explicit ActiveEdgeList(std::size_t edge_count) : bundle_of_edge_(edge_count) {}
 
   // Returns the bundle an active edge is in; invalid for an edge that is not active.
-  [[nodiscard]] BundleId bundle_of(EdgeId e) const { return bundle_of_edge_[e.index()]; }
+  [[nodiscard]] BundleId bundle_of(EdgeId e) const {
+    return e.index() < bundle_of_edge_.size() ? bundle_of_edge_[e.index()] : BundleId{};
+  }
   void set_edges(BundleId b, std::span<const EdgeId> edges);
+  void add_edge(BundleId b, EdgeId e);
   void deactivate(EdgeId e) { bundle_of_edge_[e.index()] = BundleId{}; }
 
   [[nodiscard]] Bundle& operator[](BundleId b) { return entries_[b.index()].bundle; }

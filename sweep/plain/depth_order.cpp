@@ -17,20 +17,24 @@ DepthOrder::DepthOrder(const ProjectedScene& scene, std::span<const DepthRange> 
 
 bool DepthOrder::is_turned(UncutFacetId u) const { return facing_[mesh_.first_piece(u).index()] == FacetFacing::back; }
 
-bool DepthOrder::nearer(FacetId f, FacetId g) {
+DepthOrder::Relation DepthOrder::relation(FacetId f, FacetId g) {
   ++comparisons_;
-  if (!ranges_.empty() && ranges_[f.index()].farthest < ranges_[g.index()].nearest) return true;
-  if (!ranges_.empty() && ranges_[g.index()].farthest < ranges_[f.index()].nearest) return false;
-  return f < g ? lower_is_nearer(f, g) : !lower_is_nearer(g, f);
+  if (!ranges_.empty() && ranges_[f.index()].farthest < ranges_[g.index()].nearest) return {true, false};
+  if (!ranges_.empty() && ranges_[g.index()].farthest < ranges_[f.index()].nearest) return {false, false};
+  if (f < g) return relation_of_lower(f, g);
+  const Relation turned = relation_of_lower(g, f);
+  return {!turned.nearer, turned.passes_through};
 }
 
 // Precondition: f has the lower facet index, and with it the lower or the same face index.
-bool DepthOrder::lower_is_nearer(FacetId f, FacetId g) {
+DepthOrder::Relation DepthOrder::relation_of_lower(FacetId f, FacetId g) {
   const UncutFacetId of_f = mesh_.uncut_facet(f);
   const UncutFacetId of_g = mesh_.uncut_facet(g);
-  if (of_f == of_g) return true;
-  if (mesh_.is_cut() && pieces_.applies_to(of_f, of_g)) return pieces_.lower_is_nearer(f, g);
-  return lower_uncut_facet_is_nearer(of_f, of_g);
+  if (of_f == of_g) return {true, false};
+  if (mesh_.is_cut() && pieces_.applies_to(of_f, of_g)) return {pieces_.lower_is_nearer(f, g), false};
+  const bool nearer = lower_uncut_facet_is_nearer(of_f, of_g);
+  if (local_ != nullptr && pass_through(of_f, of_g)) return {local_->nearer_here(f, g), true};
+  return {nearer, false};
 }
 
 bool DepthOrder::lower_uncut_facet_is_nearer(UncutFacetId f, UncutFacetId g) {
@@ -39,8 +43,21 @@ bool DepthOrder::lower_uncut_facet_is_nearer(UncutFacetId f, UncutFacetId g) {
   if (of_f.front == 0 || of_f.behind == 0) return of_f.front > 0;
   const Evidence of_g = corners_against_plane(g, f);
   if (of_g.front == 0 || of_g.behind == 0) return of_g.behind > 0;
-  const Evidence seen = overlap_evidence(f, g);
+  const Evidence seen = local_ != nullptr ? known_evidence(f, g) : overlap_evidence(f, g);
   return seen.front >= seen.behind;
+}
+
+const DepthOrder::Evidence& DepthOrder::known_evidence(UncutFacetId f, UncutFacetId g) {
+  const auto [known, is_new] = known_.try_emplace({f, g});
+  if (is_new) known->second = overlap_evidence(f, g);
+  return known->second;
+}
+
+// Pairs that do not straddle each other's planes are not among those that are known.
+bool DepthOrder::pass_through(UncutFacetId f, UncutFacetId g) {
+  if (known_.empty()) return false;
+  const auto known = known_.find({f, g});
+  return known != known_.end() && known->second.front > 0 && known->second.behind > 0;
 }
 
 // Stops as soon as f is known to straddle the plane.

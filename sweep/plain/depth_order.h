@@ -1,6 +1,7 @@
 // Which of two facets is in front, exactly, on the input's own coordinates: depth is never rounded.
 //
-// In:  two facets that overlap somewhere in the image, do not pass through each other and are not edge-on.
+// In:  two facets that overlap somewhere in the image and are not edge-on; without a local order they do not pass through
+//      each other either.
 // Out: whether the first is nearer to the eye there.
 // Holds: facets that do not pass through each other have one order wherever they overlap, since both are convex and
 // planar; so the answer does not depend on the place. nearer(f, g) != nearer(g, f). Coplanar facets: the lower face
@@ -13,12 +14,15 @@
 // place; the lower facet index is in front.
 // Departure from Fang's appendix B, which compares depths at the sweep point: that needs the rounded point lifted, and
 // cannot be exact.
+// With a local order facets may pass through each other, too; for these it is asked each time. That they do is seen by places
+// of both kinds.
 // In float and double (arithmetic.h) the signs are plain evaluations: nearer(f, g) != nearer(g, f) and the rule of
 // coplanar facets still hold, nothing else does. The order of pieces whose uncut facets cross is exact in all.
 #pragma once
 
 #include <array>
 #include <limits>
+#include <map>
 #include <span>
 #include <vector>
 
@@ -30,12 +34,29 @@
 
 namespace sightline::inline sweep {
 
+// Says which of two facets that pass through each other is in front where the sweep is. Precondition of its use: f < g.
+class LocalOrder {
+ public:
+  virtual ~LocalOrder() = default;
+  [[nodiscard]] virtual bool nearer_here(FacetId f, FacetId g) = 0;
+};
+
 class DepthOrder {
  public:
+  // How two facets lie to each other.
+  struct Relation {
+    bool nearer = false;          // the first one, here
+    bool passes_through = false;  // they pass through each other, as the eye sees them; known with a local order only
+  };
+
   // ranges: per facet, as depth_ranges(scene) gives them; or none, and then they do not help.
   DepthOrder(const ProjectedScene& scene, std::span<const DepthRange> ranges = {});
 
-  [[nodiscard]] bool nearer(FacetId f, FacetId g);
+  // From here on facets that pass through each other have the order that this one says. It outlives its use.
+  void set_local_order(LocalOrder* local) { local_ = local; }
+
+  [[nodiscard]] Relation relation(FacetId f, FacetId g);
+  [[nodiscard]] bool nearer(FacetId f, FacetId g) { return relation(f, g).nearer; }
 
   // The range is unbounded where no ranges are known.
   [[nodiscard]] DepthRange range(FacetId f) const {
@@ -58,8 +79,10 @@ class DepthOrder {
   };
 
   [[nodiscard]] bool is_turned(UncutFacetId u) const;
-  [[nodiscard]] bool lower_is_nearer(FacetId f, FacetId g);
+  [[nodiscard]] Relation relation_of_lower(FacetId f, FacetId g);
   [[nodiscard]] bool lower_uncut_facet_is_nearer(UncutFacetId f, UncutFacetId g);
+  [[nodiscard]] const Evidence& known_evidence(UncutFacetId f, UncutFacetId g);
+  [[nodiscard]] bool pass_through(UncutFacetId f, UncutFacetId g);
   [[nodiscard]] Evidence corners_against_plane(UncutFacetId f, UncutFacetId g);
   [[nodiscard]] Evidence overlap_evidence(UncutFacetId f, UncutFacetId g);
   [[nodiscard]] bool covers(UncutFacetId f, VertexId v);
@@ -76,6 +99,8 @@ class DepthOrder {
   const std::vector<FacetFacing>& facing_;
   PieceOrder pieces_;
   const std::span<const DepthRange> ranges_;
+  LocalOrder* local_ = nullptr;
+  std::map<std::array<UncutFacetId, 2>, Evidence> known_;  // of pairs that straddle each other's planes
   predicates::Counts counts_;
   std::uint64_t comparisons_ = 0;
 };

@@ -91,7 +91,7 @@ bool NodeList::cross_one(const EdgeSide& side, bool stays, DepthOrder& depth) {
   const auto found = std::ranges::find(nodes_, side.facet, &Node::facet);
   if (found == nodes_.end()) {
     insert({side.facet, side.winding}, depth);
-    return stays && depth.nearer(topmost_, side.facet);
+    return stays && is_topmost_nearer_than(side.facet, depth);
   }
   found->winding += side.winding;
   if (found->winding != 0) return stays;
@@ -110,7 +110,7 @@ bool NodeList::cross_all(std::span<const EdgeSide> sides, bool stays, DepthOrder
   drop_zeros(changes);
   for (const Node& entering : changes) {
     insert(entering, depth);
-    stays = stays && depth.nearer(topmost_, entering.facet);
+    stays = stays && is_topmost_nearer_than(entering.facet, depth);
   }
   return stays;
 }
@@ -124,15 +124,24 @@ void NodeList::insert(const Node& node, const DepthOrder& depth) {
   nodes_.insert(place, node);
 }
 
-// The nearest one, if there is one, is left when each in turn meets the best so far.
+bool NodeList::is_topmost_nearer_than(FacetId other, DepthOrder& depth) {
+  const DepthOrder::Relation relation = depth.relation(topmost_, other);
+  may_swap_ = may_swap_ || relation.passes_through;
+  return relation.nearer;
+}
+
+// The nearest one, if there is one, is left when each in turn meets the best so far. So it meets all that are in range.
 void NodeList::find_topmost(DepthOrder& depth) {
   topmost_ = {};
   is_topmost_nearest_ = true;
+  may_swap_ = false;
   if (nodes_.empty()) return;
   std::size_t best = 0;
   for (std::size_t i = 1; i < nodes_.size(); ++i) {
     if (depth.range(nodes_[best].facet).farthest < depth.range(nodes_[i].facet).nearest) break;
-    if (depth.nearer(nodes_[i].facet, nodes_[best].facet)) best = i;
+    const DepthOrder::Relation relation = depth.relation(nodes_[i].facet, nodes_[best].facet);
+    may_swap_ = (may_swap_ && !relation.nearer) || relation.passes_through;
+    if (relation.nearer) best = i;
   }
   is_topmost_nearest_ = is_nearest(best, depth);
   topmost_ = nodes_[best].facet;
@@ -145,9 +154,12 @@ std::vector<FacetId> NodeList::top_cycle(DepthOrder& depth) const {
 }
 
 // Only the nodes before it are asked: those after it have met it.
-bool NodeList::is_nearest(std::size_t node, DepthOrder& depth) const {
-  return std::ranges::all_of(nodes().first(node),
-                             [&](const Node& other) { return depth.nearer(nodes_[node].facet, other.facet); });
+bool NodeList::is_nearest(std::size_t node, DepthOrder& depth) {
+  return std::ranges::all_of(nodes().first(node), [&](const Node& other) {
+    const DepthOrder::Relation relation = depth.relation(nodes_[node].facet, other.facet);
+    may_swap_ = may_swap_ || relation.passes_through;
+    return relation.nearer;
+  });
 }
 
 }  // namespace sightline::inline sweep

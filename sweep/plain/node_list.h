@@ -32,6 +32,8 @@ class NodeList {
   // The facet is invalid where no facet is over the span.
   [[nodiscard]] FacetId topmost() const { return topmost_; }
   [[nodiscard]] bool is_topmost_nearest() const { return is_topmost_nearest_; }
+  // Returns false where the topmost facet passes through no other of the list; some other may take its place else.
+  [[nodiscard]] bool may_swap() const { return may_swap_; }
   [[nodiscard]] std::span<const Node> nodes() const { return {nodes_.data(), nodes_.size()}; }
   // Returns the top cycle of the facets in range; it is the topmost facet alone where that is nearer than all others.
   [[nodiscard]] std::vector<FacetId> top_cycle(DepthOrder& depth) const;
@@ -41,6 +43,11 @@ class NodeList {
   // also two for each facet whose depths begin before all of it; where there is no nearest one, one for each pair of
   // facets in range.
   void cross(std::span<const EdgeSide> sides, DepthOrder& depth);
+
+  // Crosses the line along which the topmost facet and another one of the list change places.
+  void swap_topmost(FacetId by) { topmost_ = by; }
+  // Finds the topmost facet anew, where some may have changed places.
+  void find_topmost(DepthOrder& depth);
 
   // Returns whether both hold the same facets with the same winding numbers. This is O(1): it compares a fingerprint
   // that differs for different contents with all but certainty.
@@ -58,13 +65,14 @@ class NodeList {
   [[nodiscard]] bool cross_one(const EdgeSide& side, bool stays, DepthOrder& depth);
   [[nodiscard]] bool cross_all(std::span<const EdgeSide> sides, bool stays, DepthOrder& depth);
   void insert(const Node& node, const DepthOrder& depth);
-  void find_topmost(DepthOrder& depth);
-  [[nodiscard]] bool is_nearest(std::size_t node, DepthOrder& depth) const;
+  [[nodiscard]] bool is_topmost_nearer_than(FacetId other, DepthOrder& depth);
+  [[nodiscard]] bool is_nearest(std::size_t node, DepthOrder& depth);
 
   boost::container::small_vector<Node, 8> nodes_;
   FacetId topmost_;
   bool is_topmost_nearest_ = true;  // than all others; as nothing is, where the list is empty
-  std::uint64_t fingerprint_ = 0;   // the sum over facets of winding * a hash of the facet
+  bool may_swap_ = false;
+  std::uint64_t fingerprint_ = 0;  // the sum over facets of winding * a hash of the facet
 };
 
 }  // namespace sightline::inline sweep

@@ -4,7 +4,6 @@
 
 #include "geometry/mesh/facet_plane.h"
 #include "geometry/numbers/errors.h"
-#include "sweep/segments/image_decisions.h"
 
 namespace sightline::inline sweep {
 
@@ -81,6 +80,10 @@ EdgeId SegmentRecorder::carrier_of_cycle(std::span<const EdgeId> edges, const No
 bool SegmentRecorder::carries(EdgeId edge, FacetId facet) const {
   if (!facet.valid()) return false;
   const FacetId surface = surface_of(mesh_, facet);
+  if (is_swap_edge(edge)) {
+    const auto [f, g] = edges_.facets_of_swap_edge(edge);
+    return surface_of(mesh_, f) == surface || surface_of(mesh_, g) == surface;
+  }
   const auto sides = scene_.sides_of(edge);
   return std::any_of(sides.begin(), sides.end(),
                      [&](const EdgeSide& side) { return surface_of(mesh_, side.facet) == surface; });
@@ -157,12 +160,8 @@ Crossing SegmentRecorder::crossing_of_carriers(PointId after, std::span<const Bu
     }
   }
   std::sort(carriers.begin(), carriers.end());
-  const auto direction = [this](EdgeId e) {
-    return ExactDecisions::direction(scene_.point(scene_.edge(e).top), scene_.point(scene_.edge(e).bottom));
-  };
-  const auto other = std::find_if(carriers.begin(), carriers.end(), [&](EdgeId e) {
-    return ExactDecisions::turn(direction(carriers.front()), direction(e)) != 0;
-  });
+  const auto other =
+      std::find_if(carriers.begin(), carriers.end(), [&](EdgeId e) { return edges_.turn(carriers.front(), e) != 0; });
   if (other == carriers.end())
     throw InternalError("what is seen changes along edge " + std::to_string(carriers.front().value) + " only");
   return {carriers.front(), *other, after};
@@ -193,7 +192,7 @@ void SegmentRecorder::start(OpenSegment& open, bool left_of_edge) {
 void SegmentRecorder::split_edges(std::span<const BundleId> below, const ActiveEdgeList& active) {
   for (const BundleId b : below) {
     for (const EdgeId e : active[b].edges) {
-      if (scene_.edge(e).top == point_) continue;
+      if (is_swap_edge(e) || scene_.edge(e).top == point_) continue;
       for (const EdgeSide& side : scene_.sides_of(e)) {
         if (has_end_point(side.facet)) result_.splits.push_back({side.mesh_edge, side.facet, e, point_});
       }

@@ -10,6 +10,7 @@
 //     segments of one surface meet in end points only.
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -32,10 +33,18 @@ struct NamedPoint {
   Crossing crossing;
 };
 
+// What a decider knows of edges, of swap edges among them (decider.h).
+class SweptEdges {
+ public:
+  virtual ~SweptEdges() = default;
+  [[nodiscard]] virtual Sign turn(EdgeId a, EdgeId b) const = 0;
+  [[nodiscard]] virtual std::array<FacetId, 2> facets_of_swap_edge(EdgeId e) const = 0;
+};
+
 class SegmentRecorder {
  public:
-  SegmentRecorder(const ProjectedScene& scene, DepthOrder& depth, VisibleSegments& result)
-      : mesh_(scene.mesh()), scene_(scene), depth_(depth), result_(result) {}
+  SegmentRecorder(const ProjectedScene& scene, const SweptEdges& edges, DepthOrder& depth, VisibleSegments& result)
+      : mesh_(scene.mesh()), scene_(scene), edges_(edges), depth_(depth), result_(result) {}
 
   // `below` has the bundles below the point, left to right; they are in the active edge list with their edges and node
   // lists, and get their open segments here. `left` is what is over the span left of the point.
@@ -48,6 +57,7 @@ class SegmentRecorder {
   [[nodiscard]] EdgeId carrier(std::span<const EdgeId> edges, const NodeList& own, const NodeList& other) const;
   [[nodiscard]] EdgeId carrier_of_cycle(std::span<const EdgeId> edges, const NodeList& own,
                                         const NodeList& other) const;
+  [[nodiscard]] bool is_swap_edge(EdgeId edge) const { return edge.index() >= scene_.edge_count(); }
   [[nodiscard]] bool carries(EdgeId edge, FacetId facet) const;
   void keep_or_end(std::span<const AboveSegment> above, ActiveEdgeList& active);
   [[nodiscard]] bool continues(const AboveSegment& above, const OpenSegment& below,
@@ -65,6 +75,7 @@ class SegmentRecorder {
 
   const CutMesh& mesh_;
   const ProjectedScene& scene_;
+  const SweptEdges& edges_;
   DepthOrder& depth_;
   VisibleSegments& result_;
 

@@ -7,7 +7,6 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <span>
 #include <vector>
 
@@ -39,15 +38,13 @@ class SweepState {
   [[nodiscard]] virtual const VisibleSegments& so_far() const = 0;
 };
 
-template <class Decisions>
-[[nodiscard]] SweepPlace place_in_window(const ProjectedScene& scene, const SweepPoint& point) {
-  const double scale = std::ldexp(1.0, -scene.grid_bits);
-  const auto scaled = [&](const auto& p) {
-    return SweepPlace{point.vertex, static_cast<double>(p.x) * scale, static_cast<double>(p.y) * scale, {}};
-  };
-  SweepPlace place = point.vertex.valid() ? scaled(scene.point(point.vertex))
-                                          : scaled(place_of<Decisions>(scene, point.crossings.front()));
-  for (const auto& crossing : point.crossings) place.crossings.push_back({crossing.a, crossing.b});
+template <class Decider>
+[[nodiscard]] SweepPlace place_in_window(const Decider& decider, const SweepPoint& point) {
+  const bool at_vertex = point.vertex.valid();
+  const auto [x, y] = at_vertex ? decider.in_window(point.vertex)
+                                : decider.in_window(decider.place(point.crossings[0].a, point.crossings[0].b));
+  SweepPlace place{point.vertex, x, y, {}};
+  for (const SweepCrossing& crossing : point.crossings) place.crossings.push_back({crossing.a, crossing.b});
   return place;
 }
 

@@ -1,0 +1,141 @@
+#include "sweep/unrounded/unrounded_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+#include "geometry/numbers/bounded.h"
+#include "geometry/projection/camera_forms.h"
+#include "geometry/projection/scene_edges.h"
+
+namespace sightline::inline sweep {
+
+// The places of vertices further off than this are worked out exactly, and rounded: filters then decide as much of them as
+// of others.
+constexpr double largest_radius = 0x1p-46;
+
+class UnroundedBuilder {
+ public:
+  UnroundedBuilder(std::shared_ptr<const CutMesh> mesh, const Camera& camera, Sides sides) : forms_(camera) {
+    result_.scene = project(std::move(mesh), camera, sides);
+  }
+
+  UnroundedScene build() {
+    find_places_of_vertices();
+    find_places_of_made_corners();
+    number_points();
+    result_.scene.edges.clear();
+    result_.scene.sides.clear();
+    collect_edges(result_.scene);
+    return std::move(result_);
+  }
+
+ private:
+  // A place before points are numbered, with whose it is.
+  struct Found {
+    CertifiedPlace certified;
+    UnroundedScene::Source source;
+    std::optional<ExactPlace> exact;  // once somebody asked
+  };
+
+  [[nodiscard]] VertexId welded(VertexId v) const { return result_.mesh().weld[v.index()]; }
+
+  // Vertices at one position have one place.
+  void find_places_of_vertices() {
+    std::vector<std::uint8_t> in_view(result_.mesh().vertices.size(), 0);
+    for (const ClippedCorner& corner : result_.scene.polygon_corners) {
+      if (corner.vertex.valid()) in_view[welded(corner.vertex).index()] = 1;
+    }
+    for (std::size_t v = 0; v < in_view.size(); ++v) {
+      if (in_view[v] != 0) found_.push_back({certified_place(VertexId(v)), {VertexId(v), 0}, {}});
+    }
+  }
+
+  [[nodiscard]] CertifiedPlace certified_place(VertexId v) const {
+    if (v.index() < result_.mesh().input_vertex_count()) {
+      const CameraPlace<Bounded> place = forms_.at(bounded(result_.mesh().position(v)));
+      const Bounded x = place.x / place.w;
+      const Bounded y = place.y / place.w;
+      const double radius = std::max(x.radius, y.radius);
+      if (radius < largest_radius) return {x.value, y.value, radius};
+    }
+    return certified(place_of_vertex(v));
+  }
+
+  [[nodiscard]] ExactPlace place_of_vertex(VertexId v) const {
+    return place_of(exact_corner(result_.mesh(), v, result_.scene.camera));
+  }
+
+  void find_places_of_made_corners() {
+    const ProjectedScene& scene = result_.scene;
+    result_.made_.resize(scene.made_corners.size());
+    for (std::size_t f = 0; f < scene.status.size(); ++f) {
+      const auto polygon = scene.polygon(FacetId(f));
+      const auto is_made = [](const ClippedCorner& corner) { return corner.made.valid(); };
+      if (std::ranges::none_of(polygon, is_made)) continue;
+      const std::vector<ExactCorner> clipped = clip(scene.mesh(), scene.camera, FacetId(f));
+      for (std::size_t i = 0; i < polygon.size(); ++i) {
+        if (!is_made(polygon[i])) continue;
+        const ExactPlace place = place_of(clipped[i]);
+        result_.made_[polygon[i].made.index()] = place;
+        found_.push_back({certified(place), {{}, polygon[i].made.value}, place});
+      }
+    }
+  }
+
+  const ExactPlace& exact(Found& place) const {
+    if (!place.exact) place.exact = place_of_vertex(place.source.vertex);
+    return *place.exact;
+  }
+
+  // Heights further apart than both radii are in that order; the difference rounds once.
+  [[nodiscard]] int compare(std::uint32_t a, std::uint32_t b) {
+    const CertifiedPlace& p = found_[a].certified;
+    const CertifiedPlace& q = found_[b].certified;
+    const double apart = q.y - p.y;
+    if (std::fabs(apart) > Bounded::widened(p.radius + q.radius + 0x1p-52 * std::fabs(apart)))
+      return apart > 0 ? 1 : -1;
+    return a == b ? 0 : sweep_compare(exact(found_[a]), exact(found_[b]));
+  }
+
+  void number_points() {
+    std::vector<std::uint32_t> order(found_.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::sort(order.begin(), order.end(), [this](std::uint32_t a, std::uint32_t b) { return compare(a, b) < 0; });
+    ProjectedScene& scene = result_.scene;
+    scene.points.clear();
+    std::vector<PointId> of_vertex(scene.mesh().vertices.size());
+    std::vector<PointId> of_made(scene.made_corners.size());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      if (i == 0 || compare(order[i - 1], order[i]) != 0) add_point(found_[order[i]]);
+      const UnroundedScene::Source& source = found_[order[i]].source;
+      (source.vertex.valid() ? of_vertex[source.vertex.index()] : of_made[source.made]) =
+          PointId(scene.points.size() - 1);
+    }
+    for (ClippedCorner& corner : scene.polygon_corners)
+      corner.point = corner.vertex.valid() ? of_vertex[welded(corner.vertex).index()] : of_made[corner.made.index()];
+  }
+
+  void add_point(const Found& found) {
+    const auto on_grid = [this](double value) { return std::llround(std::ldexp(value, result_.scene.grid_bits)); };
+    result_.scene.points.push_back({on_grid(found.certified.x), on_grid(found.certified.y)});
+    result_.places.push_back(found.certified);
+    result_.sources_.push_back(found.source);
+  }
+
+  const CameraForms<Bounded> forms_;
+  std::vector<Found> found_;
+  UnroundedScene result_;
+};
+
+ExactPlace UnroundedScene::exact(PointId p) const {
+  const Source& source = sources_[p.index()];
+  return source.vertex.valid() ? place_of(exact_corner(mesh(), source.vertex, scene.camera)) : made_[source.made];
+}
+
+UnroundedScene project_unrounded(std::shared_ptr<const CutMesh> mesh, const Camera& camera, Sides sides) {
+  return UnroundedBuilder(std::move(mesh), camera, sides).build();
+}
+
+}  // namespace sightline::inline sweep

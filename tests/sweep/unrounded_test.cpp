@@ -1,0 +1,169 @@
+// The sweep without rounding sees exactly what the truth in rationals sees: on random scenes of a lattice, where coincidences
+// abound, on such scenes moved off the lattice, and on scenes that pass through themselves, uncut.
+#include "sweep/unrounded/unrounded_sweep.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <random>
+
+#include "cli/scene/scene_file.h"
+#include "formats/reading/obj_reader.h"
+#include "geometry/cutting/common_lines.h"
+#include "oracle/judging/judge.h"
+#include "oracle/scenes/crossing_scenes.h"
+#include "oracle/truth/truth.h"
+#include "sweep/plain/sweep.h"
+#include "sweep/segments/image_points.h"
+#include "tests/tools/model_shots.h"
+
+namespace sightline::tests::unrounded_test {
+namespace {
+
+using lattice::RandomScene;
+using oracle::Rational;
+
+constexpr std::uint64_t first_seed = 1;
+
+struct Seen {
+  std::vector<Rational> area;     // per face
+  std::size_t along_swaps = 0;    // segments
+  std::uint64_t exact_sides = 0;  // that no filter decided
+};
+
+Seen seen_of(const Mesh& mesh, const Camera& camera, Sides sides) {
+  const UnroundedScene scene = project_unrounded(std::make_shared<const CutMesh>(uncrossed(mesh)), camera, sides);
+  const UnroundedSegments found = unrounded_sweep(scene);
+  Seen seen{std::vector<Rational>(mesh.face_count()), 0, found.decider->counts().exact_sides};
+  for (const VisibleSegment& s : found.segments.segments) {
+    const ExactPlace a = found.exact(s.start);
+    const ExactPlace b = found.exact(s.end);
+    seen.area[mesh.facet_face[s.facet.index()].index()] += Rational(a.x * b.y - a.y * b.x, BigInteger(2 * a.w * b.w));
+    seen.along_swaps += found.decider->is_swap_edge(s.edge) ? 1 : 0;
+  }
+  return seen;
+}
+
+enum class Moved { not_at_all, turned, by_last_bits };
+
+// A small turn leaves nothing on the lattice; a last bit leaves everything nearly on it.
+Mesh moved(const RandomScene& scene, Moved how) {
+  std::mt19937_64 random(scene.seed);
+  std::uniform_real_distribution<double> angle(-0.02, 0.02);
+  const Eigen::Matrix3d turn = (Eigen::AngleAxisd(angle(random), Vector3(1, 2, 3).normalized()) *
+                                Eigen::AngleAxisd(angle(random), Vector3(-2, 1, 1).normalized()))
+                                   .toRotationMatrix();
+  RandomScene result = scene;
+  for (Point3& p : result.vertices) {
+    if (how == Moved::turned) p = Point3(turn * p);
+    for (Eigen::Index i = 0; i < 3 && how == Moved::by_last_bits; ++i) {
+      if (random() % 3 == 0) p[i] = std::nextafter(p[i], random() % 2 == 0 ? 1e9 : -1e9);
+    }
+  }
+  return mesh_of(result);
+}
+
+struct Tally {
+  std::size_t scenes = 0;
+  std::size_t along_swaps = 0;
+  std::uint64_t exact_sides = 0;
+};
+
+void hold_to_truth(const RandomScene& scene, Moved how, Tally& tally) {
+  CAPTURE(scene.seed);
+  CAPTURE(static_cast<int>(how));
+  const Mesh mesh = moved(scene, how);
+  const Seen seen = seen_of(mesh, scene.camera, scene.sides);
+  const oracle::Truth truth = oracle::true_visibility(mesh, scene.camera, scene.sides);
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) CHECK(seen.area[f] == truth.visible_area[f]);
+  ++tally.scenes;
+  tally.along_swaps += seen.along_swaps;
+  tally.exact_sides += seen.exact_sides;
+}
+
+// Per face the area in the window, as doubles have it.
+std::vector<double> window_areas(const CutMesh& mesh, const VisibleSegments& segments, const auto& in_window) {
+  std::vector<double> areas(mesh.face_count(), 0);
+  for (const VisibleSegment& s : segments.segments) {
+    const auto [ax, ay] = in_window(s.start);
+    const auto [bx, by] = in_window(s.end);
+    areas[mesh.facet_face[s.facet.index()].index()] += (ax * by - ay * bx) / 2;
+  }
+  return areas;
+}
+
+std::vector<double> unrounded_areas(const Mesh& mesh, const Shot& shot) {
+  const auto surface = std::make_shared<const CutMesh>(uncrossed(mesh));
+  const UnroundedScene scene = project_unrounded(surface, shot.camera, shot.sides);
+  const UnroundedSegments found = unrounded_sweep(scene);
+  return window_areas(*surface, found.segments, [&](PointId p) { return found.in_window(p); });
+}
+
+std::vector<double> rounded_areas(const Mesh& mesh, const Shot& shot) {
+  const CutMesh cut = cut_along_common_lines(mesh, find_contacts(mesh));
+  const ProjectedScene scene = project(cut, shot.camera, shot.sides);
+  const VisibleSegments found = plain_sweep(scene);
+  const ImagePoints points(scene, found);
+  return window_areas(cut, found, [&](PointId p) {
+    const Point2 place = points.approximate(p);
+    return std::array{std::ldexp(place.x, -scene.grid_bits), std::ldexp(place.y, -scene.grid_bits)};
+  });
+}
+
+// Of a face seen in so many points, each off by a spacing, no more than this can be wrong.
+constexpr double largest_difference = 1e-8;
+
+}  // namespace
+
+TEST_CASE("without rounding the visible areas are the truth's, as rationals") {
+  const std::uint64_t scenes = lattice::scene_count(300);
+  Tally plain;
+  Tally crossing;
+  for (std::uint64_t seed = first_seed; seed < first_seed + scenes; ++seed) {
+    for (const Moved how : {Moved::not_at_all, Moved::turned, Moved::by_last_bits}) {
+      hold_to_truth(lattice::random_scene(seed), how, plain);
+      hold_to_truth(lattice::crossing_scene(seed), how, crossing);
+    }
+  }
+  MESSAGE(plain.scenes << " scenes, " << plain.exact_sides << " sides decided in integers; " << crossing.scenes
+                       << " that pass through themselves, " << crossing.along_swaps << " segments along swap edges, "
+                       << crossing.exact_sides << " sides in integers");
+  CHECK(plain.exact_sides > plain.scenes);
+  CHECK(crossing.along_swaps > crossing.scenes);
+}
+
+TEST_CASE("without rounding and without cutting, real meshes show what they show cut and rounded") {
+  std::size_t compared = 0;
+  for (const std::filesystem::path& file : models()) {
+    CAPTURE(file.filename().string());
+    const Mesh mesh = read_obj(file).mesh;
+    if (mesh.facet_count() > 20000) continue;
+    const Shot shot = shots(mesh).front();
+    const std::vector<double> unrounded = unrounded_areas(mesh, shot);
+    const std::vector<double> rounded = rounded_areas(mesh, shot);
+    double worst = 0;
+    for (std::size_t f = 0; f < mesh.face_count(); ++f) worst = std::max(worst, std::fabs(unrounded[f] - rounded[f]));
+    CHECK(worst < largest_difference);
+    ++compared;
+  }
+  MESSAGE(compared << " models");
+}
+
+// These scenes lose or gain whole faces where places are rounded.
+TEST_CASE("without rounding, faces that are nearly degenerate show their true areas") {
+  const std::filesystem::path folder = models_folder().parent_path() / "near-degenerate";
+  if (!std::filesystem::is_directory(folder)) return;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (!entry.is_directory()) continue;
+    CAPTURE(entry.path().filename().string());
+    const cli::SceneDescription scene = cli::read_scene_file((entry.path() / "s.toml").string());
+    const Mesh mesh = read_obj(scene.mesh_file).mesh;
+    for (const Camera& camera : scene.cameras) {
+      const Seen seen = seen_of(mesh, camera, Sides::both);
+      const oracle::Truth truth = oracle::true_visibility(mesh, camera, Sides::both);
+      for (std::size_t f = 0; f < mesh.face_count(); ++f) CHECK(seen.area[f] == truth.visible_area[f]);
+    }
+  }
+}
+
+}  // namespace sightline::tests::unrounded_test
