@@ -32,32 +32,26 @@ DepthOrder::Relation DepthOrder::relation_of_lower(FacetId f, FacetId g) {
   const UncutFacetId of_g = mesh_.uncut_facet(g);
   if (of_f == of_g) return {true, false};
   if (mesh_.is_cut() && pieces_.applies_to(of_f, of_g)) return {pieces_.lower_is_nearer(f, g), false};
-  const bool nearer = lower_uncut_facet_is_nearer(of_f, of_g);
-  if (local_ != nullptr && pass_through(of_f, of_g)) return {local_->nearer_here(f, g), true};
-  return {nearer, false};
+  Relation relation = relation_of_uncut(of_f, of_g);
+  if (relation.passes_through) relation.nearer = local_->nearer_here(f, g);
+  return relation;
 }
 
-bool DepthOrder::lower_uncut_facet_is_nearer(UncutFacetId f, UncutFacetId g) {
+// Precondition: as above. Where they pass through each other, somebody else says who is nearer.
+DepthOrder::Relation DepthOrder::relation_of_uncut(UncutFacetId f, UncutFacetId g) {
   const Evidence of_f = corners_against_plane(f, g);
-  if (of_f.front == 0 && of_f.behind == 0) return true;
-  if (of_f.front == 0 || of_f.behind == 0) return of_f.front > 0;
+  if (of_f.front == 0 && of_f.behind == 0) return {true, false};
+  if (of_f.front == 0 || of_f.behind == 0) return {of_f.front > 0, false};
   const Evidence of_g = corners_against_plane(g, f);
-  if (of_g.front == 0 || of_g.behind == 0) return of_g.behind > 0;
+  if (of_g.front == 0 || of_g.behind == 0) return {of_g.behind > 0, false};
   const Evidence seen = local_ != nullptr ? known_evidence(f, g) : overlap_evidence(f, g);
-  return seen.front >= seen.behind;
+  return {seen.front >= seen.behind, local_ != nullptr && seen.front > 0 && seen.behind > 0};
 }
 
 const DepthOrder::Evidence& DepthOrder::known_evidence(UncutFacetId f, UncutFacetId g) {
-  const auto [known, is_new] = known_.try_emplace({f, g});
+  const auto [known, is_new] = known_.try_emplace(std::uint64_t{f.value} << 32 | g.value);
   if (is_new) known->second = overlap_evidence(f, g);
   return known->second;
-}
-
-// Pairs that do not straddle each other's planes are not among those that are known.
-bool DepthOrder::pass_through(UncutFacetId f, UncutFacetId g) {
-  if (known_.empty()) return false;
-  const auto known = known_.find({f, g});
-  return known != known_.end() && known->second.front > 0 && known->second.behind > 0;
 }
 
 // Stops as soon as f is known to straddle the plane.

@@ -22,8 +22,8 @@
 
 #include <array>
 #include <limits>
-#include <map>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "geometry/mesh/cut_mesh.h"
@@ -34,7 +34,7 @@
 
 namespace sightline::inline sweep {
 
-// Says which of two facets that pass through each other is in front where the sweep is. Precondition of its use: f < g.
+// Says which of two facets that pass through each other is in front where the sweep is.
 class LocalOrder {
  public:
   virtual ~LocalOrder() = default;
@@ -80,9 +80,8 @@ class DepthOrder {
 
   [[nodiscard]] bool is_turned(UncutFacetId u) const;
   [[nodiscard]] Relation relation_of_lower(FacetId f, FacetId g);
-  [[nodiscard]] bool lower_uncut_facet_is_nearer(UncutFacetId f, UncutFacetId g);
+  [[nodiscard]] Relation relation_of_uncut(UncutFacetId f, UncutFacetId g);
   [[nodiscard]] const Evidence& known_evidence(UncutFacetId f, UncutFacetId g);
-  [[nodiscard]] bool pass_through(UncutFacetId f, UncutFacetId g);
   [[nodiscard]] Evidence corners_against_plane(UncutFacetId f, UncutFacetId g);
   [[nodiscard]] Evidence overlap_evidence(UncutFacetId f, UncutFacetId g);
   [[nodiscard]] bool covers(UncutFacetId f, VertexId v);
@@ -100,7 +99,7 @@ class DepthOrder {
   PieceOrder pieces_;
   const std::span<const DepthRange> ranges_;
   LocalOrder* local_ = nullptr;
-  std::map<std::array<UncutFacetId, 2>, Evidence> known_;  // of pairs that straddle each other's planes
+  std::unordered_map<std::uint64_t, Evidence> known_;  // of pairs that straddle each other's planes
   predicates::Counts counts_;
   std::uint64_t comparisons_ = 0;
 };
