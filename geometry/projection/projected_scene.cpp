@@ -10,6 +10,7 @@
 #include "geometry/numbers/parallel.h"
 #include "geometry/projection/clipping.h"
 #include "geometry/projection/scene_edges.h"
+#include "geometry/projection/seen_orientation.h"
 #include "geometry/projection/unfiltered.h"
 #include "geometry/projection/vertex_projection.h"
 
@@ -34,9 +35,9 @@ std::vector<ProjectedVertex> project_vertices(const CutMesh& mesh, const Camera&
 
 // A facet that is edge-on is edge-on in any arithmetic: clipping needs that.
 FacetFacing facing_of(const CutMesh& mesh, const Camera& camera, FacetId facet, Arithmetic arithmetic) {
-  Sign side = side_of_plane(mesh, facet, camera.eye);
+  const auto [a, b, c] = plane_corners(mesh, facet);
+  Sign side = seen_orientation(camera, mesh.position(a), mesh.position(b), mesh.position(c));
   if (arithmetic != Arithmetic::exact && side != 0) {
-    const auto [a, b, c] = plane_corners(mesh, facet);
     side = unfiltered::orient3d(arithmetic, mesh.position(a), mesh.position(b), mesh.position(c), camera.eye);
   }
   return side > 0 ? FacetFacing::front : (side < 0 ? FacetFacing::back : FacetFacing::edge_on);

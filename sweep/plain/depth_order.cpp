@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "geometry/mesh/facet_plane.h"
+#include "geometry/projection/seen_orientation.h"
 #include "geometry/projection/unfiltered.h"
 
 namespace sightline::inline sweep {
@@ -10,7 +11,7 @@ namespace sightline::inline sweep {
 DepthOrder::DepthOrder(const ProjectedScene& scene, std::span<const DepthRange> ranges)
     : mesh_(scene.mesh()),
       arithmetic_(scene.arithmetic),
-      eye_(scene.camera.eye),
+      camera_(scene.camera),
       facing_(scene.facing),
       pieces_(scene),
       ranges_(ranges) {}
@@ -128,7 +129,11 @@ std::array<VertexId, 3> DepthOrder::plane_of(UncutFacetId w) const {
 Sign DepthOrder::seen_orientation(VertexId a, VertexId b, VertexId c) {
   const auto welded = [this](VertexId v) { return mesh_.weld[v.index()]; };
   if (welded(a) == welded(c) || welded(b) == welded(c)) return 0;
-  return orientation(a, b, c, eye_);
+  const Point3& pa = mesh_.position(a);
+  const Point3& pb = mesh_.position(b);
+  const Point3& pc = mesh_.position(c);
+  if (arithmetic_ == Arithmetic::exact) return sightline::seen_orientation(camera_, pa, pb, pc, &counts_);
+  return unfiltered::orient3d(arithmetic_, pa, pb, pc, camera_.eye);
 }
 
 // Returns orient3d in the scene's arithmetic.

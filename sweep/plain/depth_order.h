@@ -94,7 +94,7 @@ class DepthOrder {
 
   const CutMesh& mesh_;
   const Arithmetic arithmetic_;
-  HomogeneousPoint eye_;
+  const Camera& camera_;
   const std::vector<FacetFacing>& facing_;
   PieceOrder pieces_;
   const std::span<const DepthRange> ranges_;

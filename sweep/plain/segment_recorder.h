@@ -44,7 +44,12 @@ class SweptEdges {
 class SegmentRecorder {
  public:
   SegmentRecorder(const ProjectedScene& scene, const SweptEdges& edges, DepthOrder& depth, VisibleSegments& result)
-      : mesh_(scene.mesh()), scene_(scene), edges_(edges), depth_(depth), result_(result) {}
+      : mesh_(scene.mesh()),
+        scene_(scene),
+        edge_count_(scene.edge_count()),
+        edges_(edges),
+        depth_(depth),
+        result_(result) {}
 
   // `below` has the bundles below the point, left to right; they are in the active edge list with their edges and node
   // lists, and get their open segments here. `left` is what is over the span left of the point.
@@ -57,7 +62,7 @@ class SegmentRecorder {
   [[nodiscard]] EdgeId carrier(std::span<const EdgeId> edges, const NodeList& own, const NodeList& other) const;
   [[nodiscard]] EdgeId carrier_of_cycle(std::span<const EdgeId> edges, const NodeList& own,
                                         const NodeList& other) const;
-  [[nodiscard]] bool is_swap_edge(EdgeId edge) const { return edge.index() >= scene_.edge_count(); }
+  [[nodiscard]] bool is_swap_edge(EdgeId edge) const { return edge.index() >= edge_count_; }
   [[nodiscard]] bool carries(EdgeId edge, FacetId facet) const;
   void keep_or_end(std::span<const AboveSegment> above, ActiveEdgeList& active);
   [[nodiscard]] bool continues(const AboveSegment& above, const OpenSegment& below,
@@ -75,6 +80,7 @@ class SegmentRecorder {
 
   const CutMesh& mesh_;
   const ProjectedScene& scene_;
+  const std::size_t edge_count_;
   const SweptEdges& edges_;
   DepthOrder& depth_;
   VisibleSegments& result_;

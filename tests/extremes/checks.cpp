@@ -7,6 +7,7 @@
 #include "oracle/judging/ray_caster.h"
 #include "oracle/judging/scene_changes.h"
 #include "oracle/truth/truth.h"
+#include "tests/tools/unrounded_areas.h"
 
 namespace sightline::extremes {
 namespace {
@@ -132,6 +133,8 @@ Complaints differences_from_truth(const Mesh& mesh, const Sight& sight) {
   const bool exact = is_exact(mesh, sight);
   const Rational bound = exact ? Rational(0) : rounding_bound(sight.view.scene);
   Complaints complaints;
+  if (tests::unrounded_areas(mesh, sight.camera, sight.sides).of_face != truth.visible_area)
+    complaints.emplace_back("without rounding the visible areas are not the truth's");
   for (std::size_t f = 0; f < sight.areas.size(); ++f) {
     const Rational difference = abs(Rational(sight.areas[f] - truth.visible_area[f]));
     if (difference <= bound) continue;

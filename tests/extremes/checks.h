@@ -33,7 +33,7 @@ struct RayTally {
 [[nodiscard]] Rational rounding_bound(const ProjectedScene& scene);
 
 // Visible areas are held against those of the rational oracle: they are equal where the image is exact, else within the
-// bound. This is for small scenes.
+// bound; those of the sweep without rounding are equal everywhere. This is for small scenes.
 [[nodiscard]] Complaints differences_from_truth(const Mesh& mesh, const Sight& sight);
 
 }  // namespace sightline::extremes

@@ -5,6 +5,7 @@
 
 #include "geometry/projection/clipping.h"
 #include "geometry/projection/projected_scene.h"
+#include "geometry/projection/seen_orientation.h"
 #include "geometry/projection/vertex_projection.h"
 #include "tests/tools/analyzed.h"
 
@@ -137,6 +138,35 @@ TEST_CASE("neighbours are cut at the same point: a clipped mesh edge has one ima
   REQUIRE(cuts.size() == 2);
   CHECK(cuts[0]->point == cuts[1]->point);
   CHECK(scene.made(*cuts[0]).position == scene.made(*cuts[1]).position);
+}
+
+TEST_CASE("seen orientation: an orthographic camera's rows decide, in certified numbers as in integers") {
+  constexpr unsigned seed = 20261130;
+  INFO("seed ", seed);
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> place(-2, 2);
+  std::size_t undecided = 0;
+  std::size_t against_the_eye = 0;
+  for (int round = 0; round < 5000; ++round) {
+    ViewPoint view;
+    view.eye = {place(random), place(random), 3};
+    const Camera camera = orthographic_camera("o", view, 4);
+    const Point3 a{place(random), place(random), place(random)};
+    const Vector3 towards_eye = round % 2 == 0 ? camera.eye.xyz : Vector3(place(random), place(random), 1);
+    const Point3 b = a + towards_eye;  // nearly edge-on, every other time
+    const Point3 c{place(random), place(random), place(random)};
+    const Sign exact = seen_orientation_tiers::exact(camera, a, b, c);
+    const auto filtered = seen_orientation_tiers::filtered(camera, a, b, c);
+    if (filtered) CHECK(*filtered == exact);
+    undecided += filtered ? 0 : 1;
+    CHECK(seen_orientation(camera, a, b, c) == exact);
+    CHECK(seen_orientation(camera, b, c, a) == exact);
+    CHECK(seen_orientation(camera, b, a, c) == -exact);
+    against_the_eye += exact != orient3d(a, b, c, camera.eye) ? 1 : 0;
+  }
+  // What was to be made hard was.
+  CHECK(undecided > 100);
+  CHECK(against_the_eye > 100);
 }
 
 }  // namespace sightline::tests::projection_test

@@ -16,33 +16,15 @@
 #include "sweep/plain/sweep.h"
 #include "sweep/segments/image_points.h"
 #include "tests/tools/model_shots.h"
+#include "tests/tools/polygon_mesh.h"
+#include "tests/tools/unrounded_areas.h"
 
 namespace sightline::tests::unrounded_test {
 namespace {
 
 using lattice::RandomScene;
-using oracle::Rational;
 
 constexpr std::uint64_t first_seed = 1;
-
-struct Seen {
-  std::vector<Rational> area;     // per face
-  std::size_t along_swaps = 0;    // segments
-  std::uint64_t exact_sides = 0;  // that no filter decided
-};
-
-Seen seen_of(const Mesh& mesh, const Camera& camera, Sides sides) {
-  const UnroundedScene scene = project_unrounded(std::make_shared<const CutMesh>(uncrossed(mesh)), camera, sides);
-  const UnroundedSegments found = unrounded_sweep(scene);
-  Seen seen{std::vector<Rational>(mesh.face_count()), 0, found.decider->counts().exact_sides};
-  for (const VisibleSegment& s : found.segments.segments) {
-    const ExactPlace a = found.exact(s.start);
-    const ExactPlace b = found.exact(s.end);
-    seen.area[mesh.facet_face[s.facet.index()].index()] += Rational(a.x * b.y - a.y * b.x, BigInteger(2 * a.w * b.w));
-    seen.along_swaps += found.decider->is_swap_edge(s.edge) ? 1 : 0;
-  }
-  return seen;
-}
 
 enum class Moved { not_at_all, turned, by_last_bits };
 
@@ -69,16 +51,33 @@ struct Tally {
   std::uint64_t exact_sides = 0;
 };
 
-void hold_to_truth(const RandomScene& scene, Moved how, Tally& tally) {
-  CAPTURE(scene.seed);
-  CAPTURE(static_cast<int>(how));
-  const Mesh mesh = moved(scene, how);
-  const Seen seen = seen_of(mesh, scene.camera, scene.sides);
-  const oracle::Truth truth = oracle::true_visibility(mesh, scene.camera, scene.sides);
-  for (std::size_t f = 0; f < mesh.face_count(); ++f) CHECK(seen.area[f] == truth.visible_area[f]);
+void hold_to_truth(const Mesh& mesh, const Camera& camera, Sides sides, Tally& tally) {
+  const UnroundedAreas seen = unrounded_areas(mesh, camera, sides);
+  const oracle::Truth truth = oracle::true_visibility(mesh, camera, sides);
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) CHECK(seen.of_face[f] == truth.visible_area[f]);
   ++tally.scenes;
   tally.along_swaps += seen.along_swaps;
-  tally.exact_sides += seen.exact_sides;
+  tally.exact_sides += seen.counts.exact_sides;
+}
+
+// Triangles and quadrangles with corners on a grid of 5 x 5 x 5 points, seen from such a point further out: corners on edges,
+// edges on edges, faces in one plane, through each other's corners and edges, and seen edge-on are the rule.
+Mesh few_points_soup(std::mt19937_64& random) {
+  const auto place = [&random] { return static_cast<double>(random() % 5) - 2; };
+  std::vector<Corners> faces(4 + random() % 5);
+  for (Corners& face : faces) {
+    face = {{place(), place(), place()}, {place(), place(), place()}, {place(), place(), place()}};
+    if (random() % 4 == 0) face.push_back(face[0] + face[2] - face[1]);
+  }
+  return mesh_of(faces);
+}
+
+Camera on_grid_camera(std::mt19937_64& random) {
+  const auto place = [&random] { return static_cast<double>(random() % 9) - 4; };
+  ViewPoint view;
+  view.eye = {place(), place(), random() % 2 == 0 ? 5.0 : 2.0};
+  view.target = {place() / 4, place() / 4, -1};
+  return random() % 3 == 0 ? orthographic_camera("grid", view, 6) : perspective_camera("grid", view, 90);
 }
 
 // Per face the area in the window, as doubles have it.
@@ -92,14 +91,14 @@ std::vector<double> window_areas(const CutMesh& mesh, const VisibleSegments& seg
   return areas;
 }
 
-std::vector<double> unrounded_areas(const Mesh& mesh, const Shot& shot) {
+std::vector<double> areas_without_rounding(const Mesh& mesh, const Shot& shot) {
   const auto surface = std::make_shared<const CutMesh>(uncrossed(mesh));
   const UnroundedScene scene = project_unrounded(surface, shot.camera, shot.sides);
   const UnroundedSegments found = unrounded_sweep(scene);
   return window_areas(*surface, found.segments, [&](PointId p) { return found.in_window(p); });
 }
 
-std::vector<double> rounded_areas(const Mesh& mesh, const Shot& shot) {
+std::vector<double> areas_on_grid(const Mesh& mesh, const Shot& shot) {
   const CutMesh cut = cut_along_common_lines(mesh, find_contacts(mesh));
   const ProjectedScene scene = project(cut, shot.camera, shot.sides);
   const VisibleSegments found = plain_sweep(scene);
@@ -116,13 +115,17 @@ constexpr double largest_difference = 1e-8;
 }  // namespace
 
 TEST_CASE("without rounding the visible areas are the truth's, as rationals") {
-  const std::uint64_t scenes = lattice::scene_count(300);
+  const std::uint64_t scenes = lattice::scene_count(3000) / 10;
   Tally plain;
   Tally crossing;
   for (std::uint64_t seed = first_seed; seed < first_seed + scenes; ++seed) {
     for (const Moved how : {Moved::not_at_all, Moved::turned, Moved::by_last_bits}) {
-      hold_to_truth(lattice::random_scene(seed), how, plain);
-      hold_to_truth(lattice::crossing_scene(seed), how, crossing);
+      CAPTURE(seed);
+      CAPTURE(static_cast<int>(how));
+      const RandomScene apart = lattice::random_scene(seed);
+      hold_to_truth(moved(apart, how), apart.camera, apart.sides, plain);
+      const RandomScene through = lattice::crossing_scene(seed);
+      hold_to_truth(moved(through, how), through.camera, through.sides, crossing);
     }
   }
   MESSAGE(plain.scenes << " scenes, " << plain.exact_sides << " sides decided in integers; " << crossing.scenes
@@ -139,14 +142,28 @@ TEST_CASE("without rounding and without cutting, real meshes show what they show
     const Mesh mesh = read_obj(file).mesh;
     if (mesh.facet_count() > 20000) continue;
     const Shot shot = shots(mesh).front();
-    const std::vector<double> unrounded = unrounded_areas(mesh, shot);
-    const std::vector<double> rounded = rounded_areas(mesh, shot);
+    const std::vector<double> unrounded = areas_without_rounding(mesh, shot);
+    const std::vector<double> rounded = areas_on_grid(mesh, shot);
     double worst = 0;
     for (std::size_t f = 0; f < mesh.face_count(); ++f) worst = std::max(worst, std::fabs(unrounded[f] - rounded[f]));
     CHECK(worst < largest_difference);
     ++compared;
   }
   MESSAGE(compared << " models");
+}
+
+TEST_CASE("without rounding the visible areas of soups on a few points are the truth's, as rationals") {
+  Tally tally;
+  for (std::uint64_t seed = first_seed; seed < first_seed + lattice::scene_count(3000) / 3; ++seed) {
+    CAPTURE(seed);
+    std::mt19937_64 random(seed);
+    const Mesh mesh = few_points_soup(random);
+    hold_to_truth(mesh, on_grid_camera(random), seed % 5 == 0 ? Sides::front : Sides::both, tally);
+  }
+  MESSAGE(tally.scenes << " scenes, " << tally.along_swaps << " segments along swap edges, " << tally.exact_sides
+                       << " sides in integers");
+  CHECK(tally.along_swaps > tally.scenes);
+  CHECK(tally.exact_sides > 5 * tally.scenes);
 }
 
 // These scenes lose or gain whole faces where places are rounded.
@@ -159,9 +176,9 @@ TEST_CASE("without rounding, faces that are nearly degenerate show their true ar
     const cli::SceneDescription scene = cli::read_scene_file((entry.path() / "s.toml").string());
     const Mesh mesh = read_obj(scene.mesh_file).mesh;
     for (const Camera& camera : scene.cameras) {
-      const Seen seen = seen_of(mesh, camera, Sides::both);
+      const UnroundedAreas seen = unrounded_areas(mesh, camera, Sides::both);
       const oracle::Truth truth = oracle::true_visibility(mesh, camera, Sides::both);
-      for (std::size_t f = 0; f < mesh.face_count(); ++f) CHECK(seen.area[f] == truth.visible_area[f]);
+      for (std::size_t f = 0; f < mesh.face_count(); ++f) CHECK(seen.of_face[f] == truth.visible_area[f]);
     }
   }
 }
