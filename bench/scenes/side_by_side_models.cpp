@@ -1,5 +1,4 @@
 #include "bench/scenes/side_by_side_models.h"
-#include "sightline/analyzer.h"
 
 #include <algorithm>
 #include <utility>
@@ -10,6 +9,7 @@
 #include "geometry/cutting/interpenetration.h"
 #include "geometry/mesh/box_hierarchy.h"
 #include "geometry/projection/culling.h"
+#include "sightline/analyzer.h"
 
 namespace sightline::bench {
 using namespace cli;

@@ -1,6 +1,7 @@
 #include "reconstruct/polygons/surface_layout.h"
 
 #include <algorithm>
+
 #include "geometry/numbers/id_names.h"
 
 namespace sightline::inline reconstruct {
