@@ -19,7 +19,7 @@ class SurfaceBorder {
       : scene_(scene), segments_(segments), sides_(sides), ids_(ids) {}
 
   void add_threads() {
-    for (const Walk& walk : link_rings(scene_, segments_, ids_)) {
+    for (const Walk& walk : link_rings(GridTurns(scene_), SweepOrder(scene_, segments_), segments_, ids_)) {
       if (!walk.has_outer()) segments_.threads.push_back({walk.top, segment(ids_.front()).facet, left_of(walk.top)});
     }
   }

@@ -8,38 +8,25 @@
 namespace sightline::inline reconstruct {
 namespace {
 
-// A spoke is a segment seen from one of its ends: `direction` leads away from that end, along the segment's edge.
+// A spoke is a segment seen from one of its ends.
 struct Spoke {
   PointId point;
-  ImagePoint direction;
   std::size_t segment = 0;  // index within the surface's segments
   bool outgoing = false;    // the segment starts here
+  bool leads_up = false;    // away from this end
 };
 
-Int128 cross(const ImagePoint& a, const ImagePoint& b) {
-  return static_cast<Int128>(a.x) * b.y - static_cast<Int128>(a.y) * b.x;
-}
-
-// Directions are sorted counter-clockwise from the positive x axis.
-bool angle_before(const ImagePoint& a, const ImagePoint& b) {
-  const auto lower_half = [](const ImagePoint& d) { return d.y < 0 || (d.y == 0 && d.x < 0); };
-  if (lower_half(a) != lower_half(b)) return lower_half(b);
-  return cross(a, b) > 0;
-}
-
-// Returns the direction from the segment's start to its end, along its edge: it is exact, whatever points the ends are.
-ImagePoint direction_of(const ProjectedScene& scene, const VisibleSegment& segment, const SweepOrder& order) {
-  const SceneEdge& e = scene.edge(segment.edge);
-  const ImagePoint& top = scene.point(e.top);
-  const ImagePoint& bottom = scene.point(e.bottom);
-  const bool down = order(segment.start, segment.end);
-  return down ? ImagePoint{bottom.x - top.x, bottom.y - top.y} : ImagePoint{top.x - bottom.x, top.y - bottom.y};
+// Returns whether a ring that comes to its top along one edge and leaves it along the other has what is visible below: it
+// turns to the left there.
+bool is_outer(const EdgeTurns& turns, const VisibleSegment& arriving, const VisibleSegment& leaving) {
+  return turns.turn(arriving.edge, leaving.edge) < 0;
 }
 
 class RingLinker {
  public:
-  RingLinker(const ProjectedScene& scene, const VisibleSegments& segments, std::span<const SegmentId> ids)
-      : scene_(scene), segments_(segments), ids_(ids), order_(scene, segments) {
+  RingLinker(const EdgeTurns& turns, const SweepOrder& order, const VisibleSegments& segments,
+             std::span<const SegmentId> ids)
+      : turns_(turns), order_(order), segments_(segments), ids_(ids) {
     collect_spokes();
     link();
   }
@@ -56,17 +43,22 @@ class RingLinker {
  private:
   [[nodiscard]] const VisibleSegment& segment(std::size_t i) const { return segments_.segments[ids_[i].index()]; }
 
-  [[nodiscard]] ImagePoint direction(std::size_t i) const { return direction_of(scene_, segment(i), order_); }
-
   void collect_spokes() {
     for (std::size_t i = 0; i < ids_.size(); ++i) {
-      const ImagePoint d = direction(i);
-      spokes_.push_back({segment(i).start, d, i, true});
-      spokes_.push_back({segment(i).end, {-d.x, -d.y}, i, false});
+      const bool runs_up = order_(segment(i).end, segment(i).start);
+      spokes_.push_back({segment(i).start, i, true, runs_up});
+      spokes_.push_back({segment(i).end, i, false, !runs_up});
     }
-    std::sort(spokes_.begin(), spokes_.end(), [](const Spoke& a, const Spoke& b) {
-      return a.point != b.point ? a.point < b.point : angle_before(a.direction, b.direction);
+    std::sort(spokes_.begin(), spokes_.end(), [this](const Spoke& a, const Spoke& b) {
+      return a.point != b.point ? a.point < b.point : comes_before_around(a, b);
     });
+  }
+
+  // Counter-clockwise around a point come those that lead up, and then those that lead down. Lines that pass a point come in
+  // one order above it as below it, from right to left above, where they are looked at backwards.
+  [[nodiscard]] bool comes_before_around(const Spoke& a, const Spoke& b) const {
+    if (a.leads_up != b.leads_up) return a.leads_up;
+    return turns_.turn(segment(a.segment).edge, segment(b.segment).edge) > 0;
   }
 
   void link() {
@@ -130,17 +122,17 @@ class RingLinker {
     }
     const std::size_t before = path[top == 0 ? path.size() - 1 : top - 1];
     LinkedRing ring;
-    ring.outer = cross(direction(before), direction(path[top])) > 0;
+    ring.outer = is_outer(turns_, segment(before), segment(path[top]));
     for (std::size_t i = 0; i < path.size(); ++i) ring.segments.push_back(ids_[path[(top + i) % path.size()]]);
     const PointId first = segment(path[top]).start;
     if (!result.top.valid() || order_(first, result.top)) result.top = first;
     result.rings.push_back(std::move(ring));
   }
 
-  const ProjectedScene& scene_;
+  const EdgeTurns& turns_;
+  const SweepOrder& order_;
   const VisibleSegments& segments_;
   std::span<const SegmentId> ids_;
-  SweepOrder order_;
   std::vector<Spoke> spokes_;
   std::vector<std::size_t> next_;     // per segment: the one after it on its walk
   std::vector<std::uint8_t> shared_;  // per segment: more than one segment starts where it starts
@@ -150,7 +142,7 @@ constexpr std::size_t most_in_single_ring = 16;
 
 }  // namespace
 
-SingleRing single_ring(const ProjectedScene& scene, const VisibleSegments& segments, const SweepOrder& order,
+SingleRing single_ring(const EdgeTurns& turns, const SweepOrder& order, const VisibleSegments& segments,
                        std::span<const SegmentId> of_surface) {
   const std::size_t n = of_surface.size();
   if (n < 3 || n > most_in_single_ring) return {};
@@ -170,13 +162,13 @@ SingleRing single_ring(const ProjectedScene& scene, const VisibleSegments& segme
   const VisibleSegment& first = segment(ring.segments.front());
   const VisibleSegment& last = segment(ring.segments.back());
   if (last.end != top) return {};
-  ring.outer = cross(direction_of(scene, last, order), direction_of(scene, first, order)) > 0;
+  ring.outer = is_outer(turns, last, first);
   return ring;
 }
 
-std::vector<Walk> link_rings(const ProjectedScene& scene, const VisibleSegments& segments,
+std::vector<Walk> link_rings(const EdgeTurns& turns, const SweepOrder& order, const VisibleSegments& segments,
                              std::span<const SegmentId> of_surface) {
-  return RingLinker(scene, segments, of_surface).walks();
+  return RingLinker(turns, order, segments, of_surface).walks();
 }
 
 }  // namespace sightline::inline reconstruct

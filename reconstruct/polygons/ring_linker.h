@@ -1,6 +1,6 @@
 // Links the visible segments of one surface to rings.
 //
-// In:  the visible segments, the ids of those of one surface.
+// In:  the visible segments, and how their edges turn; the ids of those of one surface.
 // Out: walks: closed chains of segments, each cut into rings that visit no point twice. A walk follows the border of
 //      one connected part of what is visible, with that part on its left; where several segments leave a point it
 //      takes the sharpest turn that keeps the part on the left.
@@ -17,7 +17,7 @@
 #include <span>
 #include <vector>
 
-#include "geometry/projection/projected_scene.h"
+#include "sweep/segments/edge_turns.h"
 #include "sweep/segments/visible_segments.h"
 
 namespace sightline::inline reconstruct {
@@ -40,10 +40,10 @@ struct SingleRing {
   SmallRing segments;
   bool outer = false;
 };
-[[nodiscard]] SingleRing single_ring(const ProjectedScene& scene, const VisibleSegments& segments,
-                                     const SweepOrder& order, std::span<const SegmentId> of_surface);
+[[nodiscard]] SingleRing single_ring(const EdgeTurns& turns, const SweepOrder& order, const VisibleSegments& segments,
+                                     std::span<const SegmentId> of_surface);
 
-[[nodiscard]] std::vector<Walk> link_rings(const ProjectedScene& scene, const VisibleSegments& segments,
-                                           std::span<const SegmentId> of_surface);
+[[nodiscard]] std::vector<Walk> link_rings(const EdgeTurns& turns, const SweepOrder& order,
+                                           const VisibleSegments& segments, std::span<const SegmentId> of_surface);
 
 }  // namespace sightline::inline reconstruct

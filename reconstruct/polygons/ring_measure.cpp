@@ -2,23 +2,42 @@
 
 #include <cmath>
 
+#include "sweep/unrounded/unrounded_sweep.h"
+
 namespace sightline::inline reconstruct {
 namespace {
-
-constexpr double difference_error = 2 * crossing_error + 0x1p-11;
 
 struct Difference {
   Bounded x;
   Bounded y;
 };
 
-Difference operator-(const Point2& b, const Point2& a) {
-  return {{b.x - a.x, difference_error}, {b.y - a.y, difference_error}};
+// A difference of numbers below 2^42 rounds by at most 2^-11; of smaller ones by less.
+Difference operator-(const CertifiedPlace& b, const CertifiedPlace& a) {
+  const auto difference = [&](double p, double q) {
+    return Bounded{p - q, Bounded::widened(a.radius + b.radius + unit_roundoff * std::fabs(p - q))};
+  };
+  return {difference(b.x, a.x), difference(b.y, a.y)};
 }
 
 Bounded length(const Difference& d) {
   const double value = std::hypot(d.x.value, d.y.value);
-  return {value, Bounded::widened(2 * difference_error + 0x1p-52 * value)};
+  return {value, Bounded::widened(d.x.radius + d.y.radius + 0x1p-52 * value)};
+}
+
+template <class PlaceOf>
+RingMeasure measured(const VisibleSegments& segments, std::span<const SegmentId> ring, PlaceOf place_of) {
+  RingMeasure m;
+  const CertifiedPlace origin = place_of(segments.segments[ring.front().index()].start);
+  for (const SegmentId s : ring) {
+    const CertifiedPlace a = place_of(segments.segments[s.index()].start);
+    const CertifiedPlace b = place_of(segments.segments[s.index()].end);
+    const Difference u = a - origin;
+    const Difference v = b - origin;
+    m.twice_area += u.x * v.y - u.y * v.x;
+    m.perimeter += length(b - a);
+  }
+  return m;
 }
 
 }  // namespace
@@ -30,17 +49,14 @@ RingMeasure& RingMeasure::operator+=(const RingMeasure& other) {
 }
 
 RingMeasure measure(const ImagePoints& points, const VisibleSegments& segments, std::span<const SegmentId> ring) {
-  RingMeasure m;
-  const Point2 origin = points.approximate(segments.segments[ring.front().index()].start);
-  for (const SegmentId s : ring) {
-    const Point2 a = points.approximate(segments.segments[s.index()].start);
-    const Point2 b = points.approximate(segments.segments[s.index()].end);
-    const Difference u = a - origin;
-    const Difference v = b - origin;
-    m.twice_area += u.x * v.y - u.y * v.x;
-    m.perimeter += length(b - a);
-  }
-  return m;
+  return measured(segments, ring, [&](PointId p) {
+    const Point2 place = points.approximate(p);
+    return CertifiedPlace{place.x, place.y, crossing_error};
+  });
+}
+
+RingMeasure measure(const UnroundedSegments& found, std::span<const SegmentId> ring) {
+  return measured(found.segments, ring, [&](PointId p) { return found.certified(p); });
 }
 
 // The sum is taken by halves, so that most of the integers stay short.

@@ -2,9 +2,9 @@
 // exactly.
 //
 // In:  the points of a sweep's result, its segments, and rings as lists of segments that chain.
-// Out: measures in grid units, with their radius. With u = 2^-53: a point's coordinates are off by at most crossing_error,
-//      so a difference of two, below 2^42 and rounded itself, is off by at most 2 * crossing_error + 2^-11. A length is off
-//      by at most twice that, and by 2 * u of itself. What follows from it is Bounded's.
+// Out: measures in the points' units, with their radius: on the grid a point's coordinates are off by at most
+//      crossing_error, without rounding by a radius of their own. A difference of two is off by both, and rounds; a length is
+//      off by the radii of both coordinates, and by 2 u of itself (u = 2^-53). What follows from it is Bounded's.
 // Complexity: O(n); the exact area O(n log n) multiplications of integers that grow to O(n) digits.
 #pragma once
 
@@ -12,6 +12,7 @@
 
 #include "geometry/numbers/bounded.h"
 #include "sweep/segments/image_points.h"
+#include "sweep/unrounded/unrounded_sweep.h"
 
 namespace sightline::inline reconstruct {
 
@@ -24,6 +25,9 @@ struct RingMeasure {
 
 [[nodiscard]] RingMeasure measure(const ImagePoints& points, const VisibleSegments& segments,
                                   std::span<const SegmentId> ring);
+
+// The same without rounding, in window units.
+[[nodiscard]] RingMeasure measure(const UnroundedSegments& found, std::span<const SegmentId> ring);
 
 // This is twice the area, not reduced; the denominator is positive.
 struct ExactArea {

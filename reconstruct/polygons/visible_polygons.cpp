@@ -1,7 +1,10 @@
 #include "reconstruct/polygons/visible_polygons.h"
 
+#include <tbb/task_arena.h>
+
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "geometry/mesh/facet_plane.h"
 #include "geometry/numbers/errors.h"
@@ -10,6 +13,7 @@
 #include "reconstruct/polygons/ring_linker.h"
 #include "reconstruct/polygons/ring_measure.h"
 #include "sweep/segments/image_points.h"
+#include "sweep/unrounded/unrounded_sweep.h"
 
 namespace sightline::inline reconstruct {
 namespace {
@@ -17,8 +21,9 @@ namespace {
 // The polygons of one surface are the walks with an outer ring, and the holes that threads lead to them.
 class SurfacePolygons {
  public:
-  SurfacePolygons(const ProjectedScene& scene, const VisibleSegments& segments, std::span<const SegmentId> ids)
-      : walks_(link_rings(scene, segments, ids)) {
+  SurfacePolygons(const EdgeTurns& turns, const SweepOrder& order, const VisibleSegments& segments,
+                  std::span<const SegmentId> ids)
+      : walks_(link_rings(turns, order, segments, ids)) {
     for (std::size_t w = 0; w < walks_.size(); ++w) {
       for (const LinkedRing& ring : walks_[w].rings) {
         for (const SegmentId s : ring.segments) walk_of_.emplace_back(s, w);
@@ -82,15 +87,18 @@ Grouping<SegmentId> segments_by_surface(const CutMesh& mesh, const VisibleSegmen
   return of_surface;
 }
 
-// All surfaces are reconstructed from these.
+// All surfaces are reconstructed from these: what the sweep found, and how and where its points and edges are.
 struct Sources {
-  Sources(const ProjectedScene& s, const VisibleSegments& v)
-      : mesh(s.mesh()),
-        scene(s),
+  Sources(const CutMesh& m, const VisibleSegments& v, const EdgeTurns& t, const SweepOrder& o,
+          std::function<RingMeasure(std::span<const SegmentId>)> measure_of, int bits, double width)
+      : mesh(m),
         segments(v),
-        points(s, v),
-        order(s, v),
-        of_surface(segments_by_surface(s.mesh(), v)),
+        turns(t),
+        order(o),
+        measure(std::move(measure_of)),
+        unit_bits(bits),
+        resolution(width),
+        of_surface(segments_by_surface(m, v)),
         threads(v.threads) {
     std::stable_sort(threads.begin(), threads.end(), [this](const Thread& a, const Thread& b) {
       return surface_of(mesh, a.facet) < surface_of(mesh, b.facet);
@@ -98,10 +106,12 @@ struct Sources {
   }
 
   const CutMesh& mesh;
-  const ProjectedScene& scene;
   const VisibleSegments& segments;
-  const ImagePoints points;
-  const SweepOrder order;
+  const EdgeTurns& turns;
+  const SweepOrder& order;
+  const std::function<RingMeasure(std::span<const SegmentId>)> measure;
+  const int unit_bits;      // measures are in units of 2^-unit_bits of the window's
+  const double resolution;  // what is narrower, in these units, is below resolution
   const Grouping<SegmentId> of_surface;
   std::vector<Thread> threads;  // by surface; those of one surface stay in sweep order
 };
@@ -113,7 +123,7 @@ class Reconstruction {
 
   void add_surface(FacetId surface) {
     const auto ids = from_.of_surface.of(surface.index());
-    const SingleRing single = single_ring(from_.scene, from_.segments, from_.order, ids);
+    const SingleRing single = single_ring(from_.turns, from_.order, from_.segments, ids);
     if (single.outer) {
       add_single(surface, {single.segments.data(), single.segments.size()});
     } else if (!ids.empty()) {
@@ -137,7 +147,7 @@ class Reconstruction {
     };
     const auto [first, last] =
         std::equal_range(from_.threads.begin(), from_.threads.end(), Thread{{}, surface, {}}, by_surface);
-    SurfacePolygons polygons(from_.scene, from_.segments, ids);
+    SurfacePolygons polygons(from_.turns, from_.order, from_.segments, ids);
     for (const auto& rings : polygons.polygons({first, last}, from_.order)) add_polygon(surface, rings);
   }
 
@@ -149,7 +159,7 @@ class Reconstruction {
   }
 
   void add_ring(std::span<const SegmentId> ring, RingMeasure& total) {
-    total += measure(from_.points, from_.segments, ring);
+    total += from_.measure(ring);
     result_.ring_segments.insert(result_.ring_segments.end(), ring.begin(), ring.end());
     result_.ring_begin.push_back(static_cast<std::uint32_t>(result_.ring_segments.size()));
   }
@@ -161,9 +171,9 @@ class Reconstruction {
     polygon.face = from_.mesh.facet_face[surface.index()];
     polygon.first_ring = first_ring;
     polygon.ring_count = static_cast<std::uint32_t>(result_.ring_count()) - first_ring;
-    polygon.below_resolution = total.twice_area.value < total.perimeter.value;
-    polygon.area = std::ldexp(total.twice_area.value / 2, -2 * from_.scene.grid_bits);
-    polygon.perimeter = std::ldexp(total.perimeter.value, -from_.scene.grid_bits);
+    polygon.below_resolution = total.twice_area.value < from_.resolution * total.perimeter.value;
+    polygon.area = std::ldexp(total.twice_area.value / 2, -2 * from_.unit_bits);
+    polygon.perimeter = std::ldexp(total.perimeter.value, -from_.unit_bits);
     result_.polygons.push_back(polygon);
   }
 
@@ -182,11 +192,10 @@ void append(VisiblePolygons& all, const VisiblePolygons& part) {
   all.ring_segments.insert(all.ring_segments.end(), part.ring_segments.begin(), part.ring_segments.end());
 }
 
-VisiblePolygons reconstruct(const ProjectedScene& scene, const VisibleSegments& segments) {
-  const CutMesh& mesh = scene.mesh();
-  const Sources sources(scene, segments);
-  std::vector<VisiblePolygons> parts(range_count(mesh.facet_count()));
-  parallel_for_ranges(mesh.facet_count(), [&](std::size_t range, std::size_t begin, std::size_t end) {
+VisiblePolygons reconstruct(const Sources& sources) {
+  const std::size_t facet_count = sources.mesh.facet_count();
+  std::vector<VisiblePolygons> parts(range_count(facet_count));
+  parallel_for_ranges(facet_count, [&](std::size_t range, std::size_t begin, std::size_t end) {
     Reconstruction reconstruction(sources);
     for (std::size_t f = begin; f < end; ++f) reconstruction.add_surface(FacetId(f));
     parts[range] = reconstruction.result();
@@ -199,7 +208,23 @@ VisiblePolygons reconstruct(const ProjectedScene& scene, const VisibleSegments& 
 }  // namespace
 
 VisiblePolygons reconstruct_polygons(const ProjectedScene& scene, const VisibleSegments& segments) {
-  return with_invariants_of(scene.arithmetic, [&] { return reconstruct(scene, segments); });
+  const ImagePoints points(scene, segments);
+  const GridTurns turns(scene);
+  const SweepOrder order(scene, segments);
+  const auto measure_of = [&](std::span<const SegmentId> ring) { return measure(points, segments, ring); };
+  return with_invariants_of(scene.arithmetic, [&] {
+    return reconstruct(Sources(scene.mesh(), segments, turns, order, measure_of, scene.grid_bits, 1));
+  });
+}
+
+VisiblePolygons reconstruct_polygons(const UnroundedScene& scene, const UnroundedSegments& found) {
+  const SweepOrder order(scene.scene, found.segments);
+  const auto measure_of = [&](std::span<const SegmentId> ring) { return measure(found, ring); };
+  const double spacing = std::ldexp(1.0, -scene.scene.grid_bits);
+  tbb::task_arena one_thread(1);  // the decider remembers what it was asked, and is for one
+  return one_thread.execute([&] {
+    return reconstruct(Sources(scene.mesh(), found.segments, *found.decider, order, measure_of, 0, spacing));
+  });
 }
 
 Rational exact_area(const ProjectedScene& scene, const VisibleSegments& segments, const VisiblePolygons& polygons,

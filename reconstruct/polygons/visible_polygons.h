@@ -26,6 +26,11 @@
 #include "geometry/projection/projected_scene.h"
 #include "sweep/segments/visible_segments.h"
 
+namespace sightline::inline sweep {
+class UnroundedScene;
+struct UnroundedSegments;
+}  // namespace sightline::inline sweep
+
 namespace sightline::inline reconstruct {
 
 using Rational = boost::multiprecision::cpp_rational;
@@ -52,6 +57,10 @@ struct VisiblePolygons {
 
 [[nodiscard]] SIGHTLINE_EXPORT VisiblePolygons reconstruct_polygons(const ProjectedScene& scene,
                                                                     const VisibleSegments& segments);
+
+// The same without rounding. Areas are off by no more than their own rounding; below resolution is what is narrower than a
+// spacing of the grid all the same.
+[[nodiscard]] VisiblePolygons reconstruct_polygons(const UnroundedScene& scene, const UnroundedSegments& found);
 
 // Returns the exact area of a polygon (outer ring minus holes), in grid units squared.
 [[nodiscard]] SIGHTLINE_EXPORT Rational exact_area(const ProjectedScene& scene, const VisibleSegments& segments,

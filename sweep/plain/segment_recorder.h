@@ -17,6 +17,7 @@
 #include "geometry/mesh/cut_mesh.h"
 #include "geometry/projection/projected_scene.h"
 #include "sweep/plain/active_edge_list.h"
+#include "sweep/segments/edge_turns.h"
 #include "sweep/segments/visible_segments.h"
 
 namespace sightline::inline sweep {
@@ -34,10 +35,8 @@ struct NamedPoint {
 };
 
 // What a decider knows of edges, of swap edges among them (decider.h).
-class SweptEdges {
+class SweptEdges : public EdgeTurns {
  public:
-  virtual ~SweptEdges() = default;
-  [[nodiscard]] virtual Sign turn(EdgeId a, EdgeId b) const = 0;
   [[nodiscard]] virtual std::array<FacetId, 2> facets_of_swap_edge(EdgeId e) const = 0;
 };
 

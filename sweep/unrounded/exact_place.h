@@ -13,6 +13,10 @@ struct CertifiedPlace {
   double radius = 0;
 };
 
+// Places that may be further off than this are worked out exactly, and rounded: filters then decide as much of them as of
+// others.
+constexpr double largest_radius = 0x1p-46;
+
 // The place (x / w, y / w), w > 0, in the window's units.
 struct ExactPlace {
   BigInteger x, y, w;

@@ -91,20 +91,31 @@ Sign UnroundedDecider::exact_turn(EdgeId a, EdgeId b) const {
 }
 
 Bounded UnroundedDecider::height(EdgeId a, EdgeId b) const {
-  if (!swap_edges_.is_one(a) && !swap_edges_.is_one(b)) return height_along(a, b);
+  if (!swap_edges_.is_one(a) && !swap_edges_.is_one(b)) {
+    const CertifiedPlace& top = scene_.places[scene_.scene.edge(a).top.index()];
+    const Way& d = directions_[a.index()];
+    return Bounded(top.y, top.radius) + share_along(a, b) * Bounded(d.y, d.radius);
+  }
   const CertifiedPlace& place = certified_place({a, b});
   return {place.y, place.radius};
 }
 
-// y = top.y + s d.y with s = ((the other's top - top) x the other's d) / (d x the other's d). Nothing is known where the
-// edges may be parallel.
-Bounded UnroundedDecider::height_along(EdgeId a, EdgeId b) const {
+// The crossing is at a's top + s d with s = ((b's top - a's top) x e) / (d x e), d and e being the edges' ways. Nothing is
+// known where these may be parallel.
+Bounded UnroundedDecider::share_along(EdgeId a, EdgeId b) const {
   const CertifiedPlace& top = scene_.places[scene_.scene.edge(a).top.index()];
-  const Way& d = directions_[a.index()];
-  const Way& e = directions_[b.index()];
   const Way between = way(top, scene_.places[scene_.scene.edge(b).top.index()]);
-  const Bounded share = determinant(between, e) / determinant(d, e);
-  return Bounded(top.y, top.radius) + share * Bounded(d.y, d.radius);
+  const Way& e = directions_[b.index()];
+  return determinant(between, e) / determinant(directions_[a.index()], e);
+}
+
+CertifiedPlace UnroundedDecider::filtered_place(const Place& place) const {
+  const CertifiedPlace& top = scene_.places[scene_.scene.edge(place.a).top.index()];
+  const Way& d = directions_[place.a.index()];
+  const Bounded share = share_along(place.a, place.b);
+  const Bounded x = Bounded(top.x, top.radius) + share * Bounded(d.x, d.radius);
+  const Bounded y = Bounded(top.y, top.radius) + share * Bounded(d.y, d.radius);
+  return {x.value, y.value, std::fmax(x.radius, y.radius)};
 }
 
 int UnroundedDecider::compare(const Place& a, PointId p) const {
@@ -134,7 +145,10 @@ EdgeId UnroundedDecider::swap_edge(FacetId f, FacetId g) const {
 
 const CertifiedPlace& UnroundedDecider::certified_place(const Place& place) const {
   const auto [known, is_new] = crossings_.try_emplace(key(place.a.value, place.b.value));
-  if (is_new) known->second = certified(exact(place));
+  if (!is_new) return known->second;
+  const bool of_scene = !swap_edges_.is_one(place.a) && !swap_edges_.is_one(place.b);
+  if (of_scene) known->second = filtered_place(place);
+  if (!of_scene || !(known->second.radius < largest_radius)) known->second = sweep::certified(exact(place));
   return known->second;
 }
 

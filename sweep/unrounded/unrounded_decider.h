@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "geometry/numbers/bounded.h"
+#include "sweep/segments/edge_turns.h"
 #include "sweep/unrounded/swap_edges.h"
 
 namespace sightline::inline sweep {
@@ -31,7 +32,7 @@ struct UnroundedCounts {
   std::uint64_t exact_orders = 0;
 };
 
-class UnroundedDecider {
+class UnroundedDecider final : public EdgeTurns {
  public:
   static constexpr bool is_exact = true;
   using Swaps = sweep::Swaps;
@@ -44,7 +45,7 @@ class UnroundedDecider {
 
   explicit UnroundedDecider(const UnroundedScene& scene);
 
-  [[nodiscard]] Sign turn(EdgeId a, EdgeId b) const;
+  [[nodiscard]] Sign turn(EdgeId a, EdgeId b) const override;
   [[nodiscard]] Sign side(EdgeId e, PointId p) const;
   [[nodiscard]] Sign side(EdgeId e, const Place& place) const;
 
@@ -68,6 +69,10 @@ class UnroundedDecider {
   [[nodiscard]] EdgeId swap_edge(FacetId f, FacetId g) const;
   [[nodiscard]] Sign nearer_side(EdgeId swap_edge, FacetId f) const { return swap_edges_.nearer_side(swap_edge, f); }
 
+  // Returns places with the radius by which they may be off.
+  [[nodiscard]] const CertifiedPlace& certified(PointId p) const { return scene_.places[p.index()]; }
+  [[nodiscard]] const CertifiedPlace& certified(const Place& place) const { return certified_place(place); }
+
   [[nodiscard]] ExactPlace exact(PointId p) const { return known_exact(p); }
   [[nodiscard]] ExactPlace exact(const Place& place) const { return meeting_place(line(place.a), line(place.b)); }
   [[nodiscard]] const UnroundedCounts& counts() const { return counts_; }
@@ -82,7 +87,8 @@ class UnroundedDecider {
 
   [[nodiscard]] static Way way(const CertifiedPlace& from, const CertifiedPlace& to);
   [[nodiscard]] static Bounded determinant(const Way& d, const Way& e);
-  [[nodiscard]] Bounded height_along(EdgeId a, EdgeId b) const;
+  [[nodiscard]] Bounded share_along(EdgeId a, EdgeId b) const;
+  [[nodiscard]] CertifiedPlace filtered_place(const Place& place) const;
   [[nodiscard]] const CertifiedPlace& certified_place(const Place& place) const;
   [[nodiscard]] Bounded swap_side(EdgeId e, const CertifiedPlace& place) const;
   [[nodiscard]] const ExactPlace& known_exact(PointId p) const;

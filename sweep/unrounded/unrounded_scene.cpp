@@ -11,10 +11,6 @@
 
 namespace sightline::inline sweep {
 
-// The places of vertices further off than this are worked out exactly, and rounded: filters then decide as much of them as
-// of others.
-constexpr double largest_radius = 0x1p-46;
-
 class UnroundedBuilder {
  public:
   UnroundedBuilder(std::shared_ptr<const CutMesh> mesh, const Camera& camera, Sides sides) : forms_(camera) {

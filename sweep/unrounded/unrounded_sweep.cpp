@@ -18,6 +18,10 @@ std::array<double, 2> UnroundedSegments::in_window(PointId p) const {
   return p.index() < vertex_count ? decider->in_window(p) : decider->in_window(crossing(p));
 }
 
+const CertifiedPlace& UnroundedSegments::certified(PointId p) const {
+  return p.index() < vertex_count ? decider->certified(p) : decider->certified(crossing(p));
+}
+
 UnroundedSegments unrounded_sweep(const UnroundedScene& scene) {
   UnroundedSegments result{{}, std::make_unique<UnroundedDecider>(scene), scene.places.size()};
   const std::vector<DepthRange> depths = depth_ranges(scene.scene);

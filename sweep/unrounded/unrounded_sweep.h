@@ -24,6 +24,7 @@ struct UnroundedSegments {
 
   [[nodiscard]] ExactPlace exact(PointId p) const;
   [[nodiscard]] std::array<double, 2> in_window(PointId p) const;
+  [[nodiscard]] const CertifiedPlace& certified(PointId p) const;
 
  private:
   [[nodiscard]] UnroundedDecider::Place crossing(PointId p) const;

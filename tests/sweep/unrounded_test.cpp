@@ -13,6 +13,7 @@
 #include "oracle/judging/judge.h"
 #include "oracle/scenes/crossing_scenes.h"
 #include "oracle/truth/truth.h"
+#include "reconstruct/polygons/visible_polygons.h"
 #include "sweep/plain/sweep.h"
 #include "sweep/segments/image_points.h"
 #include "tests/tools/model_shots.h"
@@ -164,6 +165,34 @@ TEST_CASE("without rounding the visible areas of soups on a few points are the t
                        << " sides in integers");
   CHECK(tally.along_swaps > tally.scenes);
   CHECK(tally.exact_sides > 5 * tally.scenes);
+}
+
+// Of each face the areas of its polygons are within their own rounding of what the segments bound, exactly; and there are as
+// many polygons and rings as on the grid, of what is cut there, where nothing passes through anything.
+TEST_CASE("without rounding the visible polygons have the areas that their segments bound") {
+  std::size_t holes = 0;
+  for (std::uint64_t seed = first_seed; seed < first_seed + lattice::scene_count(1000); ++seed) {
+    CAPTURE(seed);
+    const RandomScene random = seed % 2 == 0 ? lattice::random_scene(seed) : lattice::crossing_scene(seed);
+    const Mesh mesh = mesh_of(random);
+    const auto surface = std::make_shared<const CutMesh>(uncrossed(mesh));
+    const UnroundedScene scene = project_unrounded(surface, random.camera, random.sides);
+    const UnroundedSegments found = unrounded_sweep(scene);
+    const VisiblePolygons polygons = reconstruct_polygons(scene, found);
+    std::vector<double> areas(mesh.face_count(), 0);
+    for (const VisiblePolygon& p : polygons.polygons) areas[p.face.index()] += p.area;
+    const UnroundedAreas exact = unrounded_areas(mesh, random.camera, random.sides);
+    for (std::size_t f = 0; f < areas.size(); ++f)
+      CHECK(std::fabs(areas[f] - exact.of_face[f].convert_to<double>()) <= 1e-13);
+    if (seed % 2 == 0) {
+      const ProjectedScene on_grid = project(surface, random.camera, random.sides);
+      const VisiblePolygons expected = reconstruct_polygons(on_grid, plain_sweep(on_grid));
+      CHECK(polygons.polygons.size() == expected.polygons.size());
+      CHECK(polygons.ring_count() == expected.ring_count());
+    }
+    holes += polygons.ring_count() - polygons.polygons.size();
+  }
+  CHECK(holes > 100);
 }
 
 // These scenes lose or gain whole faces where places are rounded.
