@@ -42,6 +42,10 @@ Sign seen_orientation(const Camera& camera, const Point3& a, const Point3& b, co
                       predicates::Counts* counts) {
   if (camera.eye.w != 0) return orient3d(a, b, c, camera.eye, counts);
   const auto certain = seen_orientation_tiers::filtered(camera, a, b, c);
+  if (counts != nullptr) {
+    ++counts->calls;
+    counts->filtered += certain ? 1 : 0;
+  }
   return certain ? *certain : seen_orientation_tiers::exact(camera, a, b, c);
 }
 

@@ -18,28 +18,27 @@ DepthOrder::DepthOrder(const ProjectedScene& scene, std::span<const DepthRange> 
 
 bool DepthOrder::is_turned(UncutFacetId u) const { return facing_[mesh_.first_piece(u).index()] == FacetFacing::back; }
 
-DepthOrder::Relation DepthOrder::relation(FacetId f, FacetId g) {
+DepthRelation DepthOrder::relation(FacetId f, FacetId g) {
   ++comparisons_;
   if (!ranges_.empty() && ranges_[f.index()].farthest < ranges_[g.index()].nearest) return {true, false};
   if (!ranges_.empty() && ranges_[g.index()].farthest < ranges_[f.index()].nearest) return {false, false};
   if (f < g) return relation_of_lower(f, g);
-  const Relation turned = relation_of_lower(g, f);
+  const DepthRelation turned = relation_of_lower(g, f);
   return {!turned.nearer, turned.passes_through};
 }
 
 // Precondition: f has the lower facet index, and with it the lower or the same face index.
-DepthOrder::Relation DepthOrder::relation_of_lower(FacetId f, FacetId g) {
+DepthRelation DepthOrder::relation_of_lower(FacetId f, FacetId g) {
   const UncutFacetId of_f = mesh_.uncut_facet(f);
   const UncutFacetId of_g = mesh_.uncut_facet(g);
   if (of_f == of_g) return {true, false};
   if (mesh_.is_cut() && pieces_.applies_to(of_f, of_g)) return {pieces_.lower_is_nearer(f, g), false};
-  Relation relation = relation_of_uncut(of_f, of_g);
-  if (relation.passes_through) relation.nearer = local_->nearer_here(f, g);
-  return relation;
+  const DepthRelation relation = relation_of_uncut(of_f, of_g);
+  return relation.passes_through ? local_->relation_here(f, g) : relation;
 }
 
 // Precondition: as above. Where they pass through each other, somebody else says who is nearer.
-DepthOrder::Relation DepthOrder::relation_of_uncut(UncutFacetId f, UncutFacetId g) {
+DepthRelation DepthOrder::relation_of_uncut(UncutFacetId f, UncutFacetId g) {
   const Evidence of_f = corners_against_plane(f, g);
   if (of_f.front == 0 && of_f.behind == 0) return {true, false};
   if (of_f.front == 0 || of_f.behind == 0) return {of_f.front > 0, false};

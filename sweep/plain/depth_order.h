@@ -14,8 +14,8 @@
 // place; the lower facet index is in front.
 // Departure from Fang's appendix B, which compares depths at the sweep point: that needs the rounded point lifted, and
 // cannot be exact.
-// With a local order facets may pass through each other, too; for these it is asked each time. That they do is seen by places
-// of both kinds.
+// With a local order facets may pass through each other, too; for these it is asked each time: for those that are in front in
+// one place where they overlap, and behind in another.
 // In float and double (arithmetic.h) the signs are plain evaluations: nearer(f, g) != nearer(g, f) and the rule of
 // coplanar facets still hold, nothing else does. The order of pieces whose uncut facets cross is exact in all.
 #pragma once
@@ -34,28 +34,29 @@
 
 namespace sightline::inline sweep {
 
-// Says which of two facets that pass through each other is in front where the sweep is.
+// How two facets lie to each other.
+struct DepthRelation {
+  bool nearer = false;          // the first one, here
+  bool passes_through = false;  // they may change places elsewhere; known with a local order only
+};
+
+// Says how two facets lie to each other where the sweep is, of which one is in front in one place and the other in another,
+// be it out of view.
 class LocalOrder {
  public:
   virtual ~LocalOrder() = default;
-  [[nodiscard]] virtual bool nearer_here(FacetId f, FacetId g) = 0;
+  [[nodiscard]] virtual DepthRelation relation_here(FacetId f, FacetId g) = 0;
 };
 
 class DepthOrder {
  public:
-  // How two facets lie to each other.
-  struct Relation {
-    bool nearer = false;          // the first one, here
-    bool passes_through = false;  // they pass through each other, as the eye sees them; known with a local order only
-  };
-
   // ranges: per facet, as depth_ranges(scene) gives them; or none, and then they do not help.
   DepthOrder(const ProjectedScene& scene, std::span<const DepthRange> ranges = {});
 
   // From here on facets that pass through each other have the order that this one says. It outlives its use.
   void set_local_order(LocalOrder* local) { local_ = local; }
 
-  [[nodiscard]] Relation relation(FacetId f, FacetId g);
+  [[nodiscard]] DepthRelation relation(FacetId f, FacetId g);
   [[nodiscard]] bool nearer(FacetId f, FacetId g) { return relation(f, g).nearer; }
 
   // The range is unbounded where no ranges are known.
@@ -79,8 +80,8 @@ class DepthOrder {
   };
 
   [[nodiscard]] bool is_turned(UncutFacetId u) const;
-  [[nodiscard]] Relation relation_of_lower(FacetId f, FacetId g);
-  [[nodiscard]] Relation relation_of_uncut(UncutFacetId f, UncutFacetId g);
+  [[nodiscard]] DepthRelation relation_of_lower(FacetId f, FacetId g);
+  [[nodiscard]] DepthRelation relation_of_uncut(UncutFacetId f, UncutFacetId g);
   [[nodiscard]] const Evidence& known_evidence(UncutFacetId f, UncutFacetId g);
   [[nodiscard]] Evidence corners_against_plane(UncutFacetId f, UncutFacetId g);
   [[nodiscard]] Evidence overlap_evidence(UncutFacetId f, UncutFacetId g);

@@ -125,7 +125,7 @@ void NodeList::insert(const Node& node, const DepthOrder& depth) {
 }
 
 bool NodeList::is_topmost_nearer_than(FacetId other, DepthOrder& depth) {
-  const DepthOrder::Relation relation = depth.relation(topmost_, other);
+  const DepthRelation relation = depth.relation(topmost_, other);
   may_swap_ = may_swap_ || relation.passes_through;
   return relation.nearer;
 }
@@ -139,7 +139,7 @@ void NodeList::find_topmost(DepthOrder& depth) {
   std::size_t best = 0;
   for (std::size_t i = 1; i < nodes_.size(); ++i) {
     if (depth.range(nodes_[best].facet).farthest < depth.range(nodes_[i].facet).nearest) break;
-    const DepthOrder::Relation relation = depth.relation(nodes_[i].facet, nodes_[best].facet);
+    const DepthRelation relation = depth.relation(nodes_[i].facet, nodes_[best].facet);
     may_swap_ = (may_swap_ && !relation.nearer) || relation.passes_through;
     if (relation.nearer) best = i;
   }
@@ -156,7 +156,7 @@ std::vector<FacetId> NodeList::top_cycle(DepthOrder& depth) const {
 // Only the nodes before it are asked: those after it have met it.
 bool NodeList::is_nearest(std::size_t node, DepthOrder& depth) {
   return std::ranges::all_of(nodes().first(node), [&](const Node& other) {
-    const DepthOrder::Relation relation = depth.relation(nodes_[node].facet, other.facet);
+    const DepthRelation relation = depth.relation(nodes_[node].facet, other.facet);
     may_swap_ = may_swap_ || relation.passes_through;
     return relation.nearer;
   });

@@ -32,7 +32,8 @@ class NodeList {
   // The facet is invalid where no facet is over the span.
   [[nodiscard]] FacetId topmost() const { return topmost_; }
   [[nodiscard]] bool is_topmost_nearest() const { return is_topmost_nearest_; }
-  // Returns false where the topmost facet passes through no other of the list; some other may take its place else.
+  // Returns true where the topmost facet passes through another one of the list: that may take its place. It may still say so
+  // when that one has left.
   [[nodiscard]] bool may_swap() const { return may_swap_; }
   [[nodiscard]] std::span<const Node> nodes() const { return {nodes_.data(), nodes_.size()}; }
   // Returns the top cycle of the facets in range; it is the topmost facet alone where that is nearer than all others.

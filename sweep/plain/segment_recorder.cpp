@@ -69,8 +69,8 @@ EdgeId SegmentRecorder::carrier_of_cycle(std::span<const EdgeId> edges, const No
       return f == side.facet || (f.valid() && depth_.range(side.facet).farthest < depth_.range(f).nearest);
     });
   };
-  const auto found =
-      std::ranges::find_if(edges, [&](EdgeId e) { return std::ranges::any_of(scene_.sides_of(e), decides); });
+  const auto found = std::ranges::find_if(
+      edges, [&](EdgeId e) { return !is_swap_edge(e) && std::ranges::any_of(scene_.sides_of(e), decides); });
   if (found == edges.end())
     throw InternalError("what is seen changes along edge " + std::to_string(edges.front().value) +
                         ", and no facet on it decides that");

@@ -3,8 +3,6 @@
 #include <algorithm>
 
 #include "geometry/mesh/facet_plane.h"
-#include "geometry/numbers/errors.h"
-#include "geometry/numbers/id_names.h"
 
 namespace sightline::inline sweep {
 
@@ -29,9 +27,8 @@ SwapEdge SwapEdges::made(FacetId f, FacetId g) {
   const Nearness& of_g = nearness(g);
   ExactLine line{of_f.a * of_g.k - of_g.a * of_f.k, of_f.b * of_g.k - of_g.b * of_f.k,
                  of_f.c * of_g.k - of_g.c * of_f.k};
+  if (line.a == 0 && line.b == 0) return {{f, g}, line, 0, 0, 1, sign_of(line.c), false};
   const bool runs_down = line.a > 0 || (line.a == 0 && line.b > 0);
-  if (line.a == 0 && line.b == 0)
-    throw InternalError(name(f) + " and " + name(g) + " pass through each other, and their planes do not meet");
   BigInteger divisor = gcd(gcd(line.a, line.b), line.c);
   if (!runs_down) divisor = -divisor;
   line = {line.a / divisor, line.b / divisor, line.c / divisor};
@@ -41,7 +38,8 @@ SwapEdge SwapEdges::made(FacetId f, FacetId g) {
           rounded_quotient(line.a, largest),
           rounded_quotient(line.b, largest),
           rounded_quotient(line.c, largest),
-          runs_down ? 1 : -1};
+          runs_down ? 1 : -1,
+          true};
 }
 
 // With n_i the nearness of corner P_i, and its coordinates the columns of a matrix of determinant k, the form is the sum of

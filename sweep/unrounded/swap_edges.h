@@ -2,6 +2,7 @@
 //
 // In:  an unrounded scene; pairs of facets, as somebody asks for them.
 // Out: per pair of surfaces a line, directed downwards like an edge of the scene, and which of both is nearer on its right.
+// A pair may be asked for whose facets overlap beside and behind the camera, too.
 // Method: how near a plane is to the eye (1 / W of a pinhole camera, minus the depth otherwise) is a linear form of the
 //      homogeneous place (x, y, w), found from three corners. Where two forms are equal, the planes meet; so the line is the
 //      difference of the forms, and its sign says who is nearer.
@@ -22,6 +23,9 @@ struct SwapEdge {
   ExactLine line;
   double a = 0, b = 0, c = 0;  // the line with its largest coefficient 1, each off by at most 2^-53
   Sign first_nearer = 0;       // +1 where the first surface is nearer on the right of the line
+  // False where the planes meet in the camera's own plane, which the image does not show: then first_nearer is said of all of
+  // the image.
+  bool is_seen = true;
 };
 
 class SwapEdges {

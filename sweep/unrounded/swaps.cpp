@@ -21,13 +21,14 @@ Sign Swaps::side_of_point(EdgeId swap_edge) const {
 }
 
 // Where both are equally near at the point, it is decided along the direction, and where they are so all along it, right of
-// it. Without a direction the question is about the left of the point.
-bool Swaps::nearer_here(FacetId f, FacetId g) {
+// it. Without a direction nobody wants to know who is nearer.
+DepthRelation Swaps::relation_here(FacetId f, FacetId g) {
   const EdgeId edge = decider_.swap_edge(f, g);
+  if (!decider_.is_seen(edge)) return {decider_.nearer_side(edge, f) > 0, false};
   Sign side = side_of_point(edge);
-  if (side == 0) side = direction_.valid() ? -decider_.turn(direction_, edge) : -1;
+  if (side == 0 && direction_.valid()) side = -decider_.turn(direction_, edge);
   if (side == 0) side = 1;
-  return side == decider_.nearer_side(edge, f);
+  return {side == decider_.nearer_side(edge, f), true};
 }
 
 // Calls visit(g, edge) for the facets that pass through the topmost one.
@@ -119,10 +120,11 @@ void Swaps::queue_along_borders(BundleId left, BundleId right, EventQueue<Unroun
   if (!left.valid() || !right.valid()) return;
   const NodeList& list = active_[left].right;
   for_each_partner(list, [&](FacetId /*g*/, EdgeId swap_edge) {
-    for (const BundleId b : {left, right}) {
-      const EdgeId border = active_[b].edges.front();
-      if (comes_to_the_top(swap_edge, list.topmost(), border)) queue.add(swap_edge, border);
-    }
+    // Above the border the line is outside of the span.
+    const EdgeId left_border = active_[left].edges.front();
+    const EdgeId right_border = active_[right].edges.front();
+    if (comes_to_the_top(swap_edge, list.topmost(), left_border)) queue.add(swap_edge, left_border);
+    if (comes_to_the_top(swap_edge, list.topmost(), right_border)) queue.add(right_border, swap_edge);
   });
 }
 

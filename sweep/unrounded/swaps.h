@@ -54,7 +54,7 @@ class Swaps : private LocalOrder {
     FacetId to;
   };
 
-  [[nodiscard]] bool nearer_here(FacetId f, FacetId g) override;
+  [[nodiscard]] DepthRelation relation_here(FacetId f, FacetId g) override;
   [[nodiscard]] Sign side_of_point(EdgeId swap_edge) const;
   template <class Visit>
   void for_each_partner(const NodeList& list, Visit visit);

@@ -30,7 +30,7 @@ Bounded UnroundedDecider::determinant(const Way& d, const Way& e) {
   const double left = d.x * e.y;
   const double right = d.y * e.x;
   const double through = d.radius * size_of(e.x, e.y) + e.radius * size_of(d.x, d.y) + 2 * d.radius * e.radius;
-  return {left - right, Bounded::widened(through + 3 * unit_roundoff * size_of(left, right))};
+  return {left - right, Bounded::widened(Bounded::widened(through) + 3 * unit_roundoff * size_of(left, right))};
 }
 
 Sign UnroundedDecider::side(EdgeId e, PointId p) const {
@@ -46,7 +46,7 @@ Sign UnroundedDecider::side(EdgeId e, PointId p) const {
   return sign ? *sign : exact_side(e, p);
 }
 
-// The coefficients are at most 1 and off by u; three products and two sums round.
+// The coefficients are at most 1 and off by u; two products and two sums round.
 Bounded UnroundedDecider::swap_side(EdgeId e, const CertifiedPlace& place) const {
   const SwapEdge& edge = swap_edges_[e];
   const double size = size_of(place.x, place.y) + 1;

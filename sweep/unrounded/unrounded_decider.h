@@ -2,7 +2,8 @@
 //
 // A filter in double, with the proven radius of each place, decides nearly all. Behind it stand integers of any size: a
 // vertex is (x, y, w), the line of an edge the cross product of its ends, a crossing the cross product of two lines. A point
-// that ends an edge is on it by its number, without arithmetic; what was once decided in integers is remembered.
+// that ends an edge is on it by its number, without arithmetic; sides and turns that integers decided are remembered, but for
+// sides of crossings.
 //
 // Derivation of the filters, with u = 2^-53. A difference of two places is off by the sum r of their radii, and rounds: by u
 // of itself. Let d and e be two such ways with radii r and s in each coordinate. Their determinant d.x e.y - d.y e.x is off
@@ -67,6 +68,8 @@ class UnroundedDecider final : public EdgeTurns {
   [[nodiscard]] bool is_swap_edge(EdgeId e) const { return swap_edges_.is_one(e); }
   [[nodiscard]] std::array<FacetId, 2> facets_of_swap_edge(EdgeId e) const { return swap_edges_[e].surfaces; }
   [[nodiscard]] EdgeId swap_edge(FacetId f, FacetId g) const;
+  // Returns false where the image does not show the line (swap_edges.h).
+  [[nodiscard]] bool is_seen(EdgeId swap_edge) const { return swap_edges_[swap_edge].is_seen; }
   [[nodiscard]] Sign nearer_side(EdgeId swap_edge, FacetId f) const { return swap_edges_.nearer_side(swap_edge, f); }
 
   // Returns places with the radius by which they may be off.

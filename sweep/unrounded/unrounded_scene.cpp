@@ -53,8 +53,8 @@ class UnroundedBuilder {
       const CameraPlace<Bounded> place = forms_.at(bounded(result_.mesh().position(v)));
       const Bounded x = place.x / place.w;
       const Bounded y = place.y / place.w;
-      const double radius = std::max(x.radius, y.radius);
-      if (radius < largest_radius) return {x.value, y.value, radius};
+      if (x.radius < largest_radius && y.radius < largest_radius)
+        return {x.value, y.value, std::max(x.radius, y.radius)};
     }
     return certified(place_of_vertex(v));
   }

@@ -16,7 +16,7 @@
 
 namespace sightline::inline sweep {
 
-// The scene outlives it.
+// The scene outlives it, and stays where it is.
 struct UnroundedSegments {
   VisibleSegments segments;
   std::unique_ptr<UnroundedDecider> decider;  // knows the swap edges
@@ -31,5 +31,6 @@ struct UnroundedSegments {
 };
 
 [[nodiscard]] UnroundedSegments unrounded_sweep(const UnroundedScene& scene);
+UnroundedSegments unrounded_sweep(UnroundedScene&&) = delete;
 
 }  // namespace sightline::inline sweep

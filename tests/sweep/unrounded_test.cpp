@@ -195,6 +195,19 @@ TEST_CASE("without rounding the visible polygons have the areas that their segme
   CHECK(holes > 100);
 }
 
+// These two ramps cross beside the camera: in front of it one hides the other, behind it the other way round, and their planes
+// meet in the camera's own plane, which its image does not show.
+TEST_CASE("without rounding, facets that change places beside the camera only have one order in view") {
+  const Mesh mesh = mesh_of({{{-8, -2, -8}, {8, -2, -8}, {0, 0, 8}}, {{-8, 0, -8}, {8, 0, -8}, {0, -2, 8}}});
+  ViewPoint view;
+  view.eye = {0, 0, 0};
+  view.target = {0, 0, -1};
+  const Camera camera = perspective_camera("between", view, 90);
+  Tally tally;
+  hold_to_truth(mesh, camera, Sides::both, tally);
+  CHECK(tally.along_swaps == 0);
+}
+
 // These scenes lose or gain whole faces where places are rounded.
 TEST_CASE("without rounding, faces that are nearly degenerate show their true areas") {
   const std::filesystem::path folder = models_folder().parent_path() / "near-degenerate";
