@@ -1,5 +1,6 @@
 #include "reconstruct/polygons/ring_measure.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "sweep/unrounded/unrounded_sweep.h"
@@ -12,12 +13,13 @@ struct Difference {
   Bounded y;
 };
 
-// A difference of numbers below 2^42 rounds by at most 2^-11; of smaller ones by less.
+// Both coordinates have the radius of the longer one.
 Difference operator-(const CertifiedPlace& b, const CertifiedPlace& a) {
-  const auto difference = [&](double p, double q) {
-    return Bounded{p - q, Bounded::widened(a.radius + b.radius + unit_roundoff * std::fabs(p - q))};
-  };
-  return {difference(b.x, a.x), difference(b.y, a.y)};
+  const double x = b.x - a.x;
+  const double y = b.y - a.y;
+  const double rounding = unit_roundoff * std::max(std::fabs(x), std::fabs(y));
+  const double radius = Bounded::widened(a.radius + b.radius + rounding);
+  return {{x, radius}, {y, radius}};
 }
 
 Bounded length(const Difference& d) {

@@ -42,10 +42,10 @@ class ActiveEdgeList {
  public:
   explicit ActiveEdgeList(std::size_t edge_count) : bundle_of_edge_(edge_count) {}
 
-  // Returns the bundle an active edge is in; invalid for an edge that is not active.
-  [[nodiscard]] BundleId bundle_of(EdgeId e) const {
-    return e.index() < bundle_of_edge_.size() ? bundle_of_edge_[e.index()] : BundleId{};
-  }
+  // Returns the bundle an active edge is in; invalid for an edge that is not active any more, or not yet.
+  [[nodiscard]] BundleId bundle_of(EdgeId e) const { return bundle_of_edge_[e.index()]; }
+  // The same question of an edge that may never have been heard of.
+  [[nodiscard]] bool is_active(EdgeId e) const { return e.index() < bundle_of_edge_.size() && bundle_of(e).valid(); }
   void set_edges(BundleId b, std::span<const EdgeId> edges);
   void add_edge(BundleId b, EdgeId e);
   void deactivate(EdgeId e) { bundle_of_edge_[e.index()] = BundleId{}; }

@@ -83,7 +83,7 @@ class GridDecider {
   [[nodiscard]] std::array<double, 2> in_window(const Place& p) const { return in_window_units(p); }
 
   [[nodiscard]] static bool is_swap_edge(EdgeId /*e*/) { return false; }
-  [[nodiscard]] static std::array<FacetId, 2> facets_of_swap_edge(EdgeId /*e*/) { return {}; }
+  [[nodiscard]] static std::array<FacetId, 2> surfaces_of_swap_edge(EdgeId /*e*/) { return {}; }
 
  private:
   [[nodiscard]] const ImagePoint& point(PointId p) const { return points_[p.index()]; }

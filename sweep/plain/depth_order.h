@@ -100,7 +100,7 @@ class DepthOrder {
   PieceOrder pieces_;
   const std::span<const DepthRange> ranges_;
   LocalOrder* local_ = nullptr;
-  std::unordered_map<std::uint64_t, Evidence> known_;  // of pairs that straddle each other's planes
+  std::unordered_map<std::uint64_t, Evidence> known_;  // of pairs that straddle each other's planes; only looked up
   predicates::Counts counts_;
   std::uint64_t comparisons_ = 0;
 };

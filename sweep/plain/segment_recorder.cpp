@@ -81,8 +81,8 @@ bool SegmentRecorder::carries(EdgeId edge, FacetId facet) const {
   if (!facet.valid()) return false;
   const FacetId surface = surface_of(mesh_, facet);
   if (is_swap_edge(edge)) {
-    const auto [f, g] = edges_.facets_of_swap_edge(edge);
-    return surface_of(mesh_, f) == surface || surface_of(mesh_, g) == surface;
+    const auto [f, g] = edges_.surfaces_of_swap_edge(edge);
+    return f == surface || g == surface;
   }
   const auto sides = scene_.sides_of(edge);
   return std::any_of(sides.begin(), sides.end(),

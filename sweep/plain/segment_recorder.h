@@ -37,7 +37,7 @@ struct NamedPoint {
 // What a decider knows of edges, of swap edges among them (decider.h).
 class SweptEdges : public EdgeTurns {
  public:
-  [[nodiscard]] virtual std::array<FacetId, 2> facets_of_swap_edge(EdgeId e) const = 0;
+  [[nodiscard]] virtual std::array<FacetId, 2> surfaces_of_swap_edge(EdgeId e) const = 0;
 };
 
 class SegmentRecorder {

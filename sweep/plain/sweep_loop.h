@@ -61,7 +61,7 @@ class Sweep : private SweepState, private SweptEdges {
 
  private:
   // A swap edge ends as soon as it is not seen, whatever was expected of it further down.
-  [[nodiscard]] bool is_over(EdgeId e) const { return decider_.is_swap_edge(e) && !active_.bundle_of(e).valid(); }
+  [[nodiscard]] bool is_over(EdgeId e) const { return decider_.is_swap_edge(e) && !active_.is_active(e); }
   [[nodiscard]] bool is_over() const {
     return !point_.vertex.valid() && std::ranges::all_of(point_.crossings, [this](const SweepCrossing& c) {
       return is_over(c.a) && is_over(c.b);
@@ -194,7 +194,10 @@ class Sweep : private SweepState, private SweptEdges {
       collect_sides(active_[b]);
       const bool is_last = b == below_.back();
       if (is_last) check(list->leads_to(last, sides_), "the node lists around the point do not agree");
-      if (is_last && !list->may_swap() && !last.may_swap()) break;
+      if (is_last && !list->may_swap() && !last.may_swap()) {
+        if (above_.empty()) active_[b].right = left_list();
+        break;
+      }
       swaps_.look_right_of(active_[b].edges.front());
       NodeList& right = active_[b].right;
       right = *list;
@@ -204,7 +207,6 @@ class Sweep : private SweepState, private SweptEdges {
       list = &right;
     }
     if (below_.empty()) check(list->same_contents(last), "the node lists around the point do not agree");
-    if (above_.empty() && !below_.empty() && !list->may_swap()) active_[below_.back()].right = left_list();
   }
 
   void collect_sides(const Bundle& bundle) {
@@ -315,8 +317,8 @@ class Sweep : private SweepState, private SweptEdges {
   [[nodiscard]] const VisibleSegments& so_far() const override { return result_; }
 
   [[nodiscard]] Sign turn(EdgeId a, EdgeId b) const override { return decider_.turn(a, b); }
-  [[nodiscard]] std::array<FacetId, 2> facets_of_swap_edge(EdgeId e) const override {
-    return decider_.facets_of_swap_edge(e);
+  [[nodiscard]] std::array<FacetId, 2> surfaces_of_swap_edge(EdgeId e) const override {
+    return decider_.surfaces_of_swap_edge(e);
   }
 
   void check(bool holds, const char* what) const {

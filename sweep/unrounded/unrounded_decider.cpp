@@ -1,5 +1,6 @@
 #include "sweep/unrounded/unrounded_decider.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace sightline::inline sweep {
@@ -23,7 +24,7 @@ UnroundedDecider::UnroundedDecider(const UnroundedScene& scene)
 UnroundedDecider::Way UnroundedDecider::way(const CertifiedPlace& from, const CertifiedPlace& to) {
   const double x = to.x - from.x;
   const double y = to.y - from.y;
-  return {x, y, Bounded::widened(from.radius + to.radius + unit_roundoff * std::fmax(std::fabs(x), std::fabs(y)))};
+  return {x, y, Bounded::widened(from.radius + to.radius + unit_roundoff * std::max(std::fabs(x), std::fabs(y)))};
 }
 
 Bounded UnroundedDecider::determinant(const Way& d, const Way& e) {
@@ -115,7 +116,7 @@ CertifiedPlace UnroundedDecider::filtered_place(const Place& place) const {
   const Bounded share = share_along(place.a, place.b);
   const Bounded x = Bounded(top.x, top.radius) + share * Bounded(d.x, d.radius);
   const Bounded y = Bounded(top.y, top.radius) + share * Bounded(d.y, d.radius);
-  return {x.value, y.value, std::fmax(x.radius, y.radius)};
+  return {x.value, y.value, std::max(x.radius, y.radius)};
 }
 
 int UnroundedDecider::compare(const Place& a, PointId p) const {

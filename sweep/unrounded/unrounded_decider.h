@@ -66,7 +66,7 @@ class UnroundedDecider final : public EdgeTurns {
   [[nodiscard]] std::array<double, 2> in_window(const Place& place) const;
 
   [[nodiscard]] bool is_swap_edge(EdgeId e) const { return swap_edges_.is_one(e); }
-  [[nodiscard]] std::array<FacetId, 2> facets_of_swap_edge(EdgeId e) const { return swap_edges_[e].surfaces; }
+  [[nodiscard]] std::array<FacetId, 2> surfaces_of_swap_edge(EdgeId e) const { return swap_edges_[e].surfaces; }
   [[nodiscard]] EdgeId swap_edge(FacetId f, FacetId g) const;
   // Returns false where the image does not show the line (swap_edges.h).
   [[nodiscard]] bool is_seen(EdgeId swap_edge) const { return swap_edges_[swap_edge].is_seen; }
@@ -103,7 +103,7 @@ class UnroundedDecider final : public EdgeTurns {
   mutable SwapEdges swap_edges_;
   mutable std::vector<Way> directions_;  // per edge, and then per swap edge
 
-  // These are remembered.
+  // These are remembered, and only looked up: no result depends on their order.
   mutable std::vector<std::unique_ptr<ExactPlace>> exact_places_;  // per point
   mutable std::vector<std::unique_ptr<ExactLine>> lines_;          // per edge
   mutable std::unordered_map<std::uint64_t, Sign> sides_, turns_;
