@@ -61,11 +61,12 @@ TableRow row_of(const Scene& scene) {
   VisibleSegments swept;
   const double project_grid = least_seconds([&] { projected = project(cut, scene.camera, scene.sides); });
   const double sweep_grid = least_seconds([&] { swept = plain_sweep(projected); });
-  UnroundedScene unrounded;
-  UnroundedSegments found;
-  const double project_new = least_seconds([&] { unrounded = project_unrounded(uncut, scene.camera, scene.sides); });
-  const double sweep_new = least_seconds([&] { found = unrounded_sweep(unrounded); });
-  const UnroundedCounts& counts = found.decider->counts();
+  ProjectedScene unrounded;
+  UnroundedCounts counts;
+  const double project_new =
+      least_seconds([&] { unrounded = project(uncut, scene.camera, scene.sides, {Arithmetic::unrounded}); });
+  const double sweep_new =
+      least_seconds([&] { swept = unrounded_sweep(unrounded, depth_ranges(unrounded), nullptr, &counts); });
   const auto asked = static_cast<double>(counts.sides + counts.turns);
   const auto exact = static_cast<double>(counts.exact_sides + counts.exact_turns + counts.exact_orders);
   return {scene.name,

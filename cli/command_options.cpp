@@ -76,7 +76,7 @@ std::uint64_t memory_limit(const std::string& text) {
 void declare_computation(CLI::App& analyze, AnalyzeTexts& texts) {
   analyze.add_option("--sides", texts.sides, "which sides of faces count (auto)")->type_name("auto|front|both");
   analyze.add_option("--arithmetic", texts.arithmetic, "in which every decision is taken (exact)")
-      ->type_name("float|double|exact");
+      ->type_name("float|double|exact|unrounded");
   analyze.add_option("--grid-bits", texts.grid_bits, "the image's grid has 2^N cells in the half window (40)")
       ->type_name("N");
   analyze.add_option("--engine", texts.engine, "sweep what the scene requires, or everything: same result (fast)")

@@ -50,4 +50,7 @@ set(sightline_headers
   geometry/numbers/export.h
   geometry/numbers/image_point.h
   geometry/numbers/predicates.h
-  sweep/plain/depth_ranges.h)
+  geometry/projection/clipping.h
+  geometry/projection/exact_place.h
+  sweep/plain/depth_ranges.h
+  sweep/segments/swap_edge.h)

@@ -19,7 +19,7 @@ class SurfaceBorder {
       : scene_(scene), segments_(segments), sides_(sides), ids_(ids) {}
 
   void add_threads() {
-    for (const Walk& walk : link_rings(GridTurns(scene_), SweepOrder(scene_, segments_), segments_, ids_)) {
+    for (const Walk& walk : link_rings(sides_.points(), sides_.points().order(), segments_, ids_)) {
       if (!walk.has_outer()) segments_.threads.push_back({walk.top, segment(ids_.front()).facet, left_of(walk.top)});
     }
   }
@@ -33,7 +33,7 @@ class SurfaceBorder {
     for (const SegmentId s : ids_) {
       const VisibleSegment& candidate = segment(s);
       if (sides_.before(top, sides_.upper(candidate)) || !sides_.before(top, sides_.lower(candidate))) continue;
-      if (sides_.side(sides_.line(candidate.edge), top) <= 0) continue;
+      if (sides_.side(candidate.edge, top) <= 0) continue;
       if (!nearest.valid() || lies_right_of(candidate, segment(nearest))) nearest = s;
     }
     if (!nearest.valid()) throw InternalError("nothing lies left of the hole at point " + std::to_string(top.value));
@@ -42,8 +42,8 @@ class SurfaceBorder {
 
   // Precondition: the sweep line meets both segments at once, and they do not cross.
   [[nodiscard]] bool lies_right_of(const VisibleSegment& s, const VisibleSegment& t) const {
-    const SweptLine of_s = sides_.line(s.edge);
-    const SweptLine of_t = sides_.line(t.edge);
+    const EdgeId of_s = s.edge;
+    const EdgeId of_t = t.edge;
     if (sides_.before(sides_.upper(s), sides_.upper(t))) {
       const Sign t_beside_s = sides_.side(of_s, sides_.upper(t));
       return t_beside_s != 0 ? t_beside_s < 0 : sides_.turn(of_t, of_s) > 0;
@@ -129,8 +129,7 @@ void find_splits(VisibleSegments& reflecting, const ProjectedScene& scene, const
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
     for (const PointId p : start_points(reflecting, ids)) {
       for (const EdgeId e : edges) {
-        const SweptLine line = sides.line(e);
-        if (!sides.before(line.top, p) || !sides.before(p, line.bottom) || sides.side(line, p) != 0) continue;
+        if (!sides.is_on(e, p) || p == scene.edge(e).top || p == scene.edge(e).bottom) continue;
         for (const EdgeSide& side : scene.sides_of(e)) {
           if (surface_of(mesh, side.facet) == surface) reflecting.splits.push_back({side.mesh_edge, side.facet, e, p});
         }

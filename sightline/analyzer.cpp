@@ -33,8 +33,17 @@ auto by_threads(std::size_t threads, Work work) {
 
 }  // namespace
 
+// Without rounding nothing has to be cut, and how the mesh meets itself is only asked where that says which sides count.
 Analyzer::Analyzer(Mesh mesh, AnalysisOptions options) : options_(std::move(options)) {
+  const bool cuts = options_.precision.arithmetic != Arithmetic::unrounded;
   by_threads(options_.threads, [&] {
+    if (!cuts) {
+      mesh_ = std::make_shared<const CutMesh>(uncrossed(std::move(mesh)));
+      contacts_.emplace();
+      if (options_.sides == SidesPolicy::automatic && is_closed(*mesh_))
+        contacts_ = in_stage(options_.hook, Stage::contacts, [&] { return find_contacts(*mesh_); });
+      return;
+    }
     contacts_ = in_stage(options_.hook, Stage::contacts, [&] { return find_contacts(mesh); });
     mesh_ = in_stage(options_.hook, Stage::cut, [&] {
       return std::make_shared<const CutMesh>(cut_along_common_lines(std::move(mesh), *contacts_));

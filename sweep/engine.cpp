@@ -10,6 +10,7 @@
 #include "sweep/fast/covers.h"
 #include "sweep/fast/roles.h"
 #include "sweep/fast/scene_in_cells.h"
+#include "sweep/unrounded/unrounded_sweep.h"
 
 namespace sightline::inline sweep {
 namespace {
@@ -71,11 +72,15 @@ std::vector<VisibleSegments> swept_bands(const SceneInCells& in, const Bands& ba
   return swept;
 }
 
+VisibleSegments sweep_everything(const ProjectedScene& scene, SweepObserver* observer) {
+  return scene.is_unrounded() ? unrounded_sweep(scene, depth_ranges(scene), observer) : plain_sweep(scene, observer);
+}
+
 }  // namespace
 
 VisibleSegments fast_visible_segments(const ProjectedScene& scene, const FastOptions& options,
                                       SweepObserver* observer) {
-  if (scene.arithmetic != Arithmetic::exact) return plain_sweep(scene, observer);
+  if (scene.arithmetic != Arithmetic::exact) return sweep_everything(scene, observer);
   const SceneInCells in(scene, options.level);
   const Covers covers = find_covers(in);
   const std::vector<Role> roles = find_roles(in, covers);
@@ -84,7 +89,7 @@ VisibleSegments fast_visible_segments(const ProjectedScene& scene, const FastOpt
 }
 
 VisibleSegments find_visible_segments(const ProjectedScene& scene, Engine engine, SweepObserver* observer) {
-  return engine == Engine::full ? plain_sweep(scene, observer) : fast_visible_segments(scene, {}, observer);
+  return engine == Engine::full ? sweep_everything(scene, observer) : fast_visible_segments(scene, {}, observer);
 }
 
 }  // namespace sightline::inline sweep

@@ -35,9 +35,12 @@ Precision parsed_precision(const std::string& arithmetic, const std::string& gri
   Precision precision;
   if (!arithmetic.empty()) {
     const auto named = arithmetic_named(arithmetic);
-    if (!named) throw CommandLineError(fmt::format("--arithmetic: '{}' is not float, double or exact", arithmetic));
+    if (!named)
+      throw CommandLineError(fmt::format("--arithmetic: '{}' is not float, double, exact or unrounded", arithmetic));
     precision.arithmetic = *named;
   }
+  if (!grid_bits.empty() && precision.arithmetic == Arithmetic::unrounded)
+    throw CommandLineError("--grid-bits: there is no grid with --arithmetic unrounded; leave one of them away");
   if (!grid_bits.empty())
     precision.grid_bits = parsed_whole_number(grid_bits, "--grid-bits", smallest_grid_bits, default_grid_bits);
   return precision;

@@ -13,6 +13,20 @@ double in_view_area(const ProjectedScene& scene, FacetId facet) {
   return fan_area(scene.polygon(facet), [&](const ClippedCorner& corner) { return position_of(scene, corner); });
 }
 
+// In window units squared. Places that are not rounded are known up to their radius.
+double unrounded_image_area(const ProjectedScene& scene, FacetId facet) {
+  const auto corners = scene.polygon(facet);
+  const auto place = [&](std::size_t i) { return scene.unrounded.places[corners[i].point.index()]; };
+  double twice = 0;
+  for (std::size_t i = 2; i < corners.size(); ++i) {
+    const auto& [ax, ay, a_radius] = place(0);
+    const auto& [bx, by, b_radius] = place(i - 1);
+    const auto& [cx, cy, c_radius] = place(i);
+    twice += (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
+  }
+  return std::fabs(twice) / 2;
+}
+
 // Twice the area in grid units squared, exactly.
 Int128 twice_image_area(const ProjectedScene& scene, FacetId facet) {
   const auto corners = scene.polygon(facet);
@@ -53,9 +67,10 @@ FaceMeasures measure_facets(const ProjectedScene& scene, FaceId face) {
     const FacetId facet(i);
     measures.area += facet_area(mesh, facet);
     measures.in_view_area += in_view_area(scene, facet);
-    twice_image += twice_image_area(scene, facet);
+    if (scene.is_unrounded()) measures.image_area += unrounded_image_area(scene, facet);
+    if (!scene.is_unrounded()) twice_image += twice_image_area(scene, facet);
   }
-  measures.image_area = in_window_units(twice_image, scene.grid_bits);
+  if (!scene.is_unrounded()) measures.image_area = in_window_units(twice_image, scene.grid_bits);
   return measures;
 }
 
@@ -78,6 +93,14 @@ void add_polygons(const VisiblePolygons& polygons, std::vector<FaceMeasures>& fa
   for (const VisiblePolygon& polygon : polygons.polygons) {
     if (!polygon.below_resolution) faces[polygon.face.index()].visible_image_area += polygon.area;
   }
+}
+
+// What is seen is a part of what is in view, and that of the face. Sums of areas in double may break this in their last bits.
+void keep_order(FaceMeasures& face) {
+  face.in_view_area = std::min(face.in_view_area, face.area);
+  face.visible_area = std::min(face.visible_area, face.in_view_area);
+  for (double& area : face.reflecting_area) area = std::min(area, face.visible_area);
+  face.visible_image_area = std::min(face.visible_image_area, face.image_area);
 }
 
 }  // namespace
@@ -106,6 +129,7 @@ std::vector<FaceMeasures> measure_faces(const View& view) {
   for (FaceMeasures& face : faces) face.reflecting_area.resize(view.reflections.panels.size());
   add_triangles(view.labelled, faces);
   add_polygons(view.polygons, faces);
+  if (view.scene.is_unrounded()) std::ranges::for_each(faces, keep_order);
   return faces;
 }
 

@@ -26,11 +26,19 @@ void sort_distinct(std::vector<Value>& values) {
   values.erase(std::unique(values.begin(), values.end()), values.end());
 }
 
-// The pairs of faces that pass through each other. The mesh is cut along common lines.
-std::size_t crossing_pair_count(const CutMesh& mesh) {
+// The pairs of faces that pass through each other. On the grid the mesh is cut along common lines; without rounding the pairs
+// are those that are seen to.
+std::size_t crossing_pair_count(const View& view) {
+  const CutMesh& mesh = view.mesh();
   const auto face = [&](UncutFacetId uncut) { return mesh.facet_face[mesh.first_piece(uncut).index()]; };
   std::vector<std::array<FaceId, 2>> pairs;
   for (const auto& [a, b] : mesh.cuts.crossing) pairs.push_back({face(a), face(b)});
+  const std::size_t scene_edges = view.scene.edge_count();
+  for (const VisibleSegment& s : view.segments.segments) {
+    if (s.edge.index() < scene_edges) continue;
+    const auto& [a, b] = view.segments.swap_edges[s.edge.index() - scene_edges].surfaces;
+    pairs.push_back({mesh.facet_face[a.index()], mesh.facet_face[b.index()]});
+  }
   sort_distinct(pairs);
   return pairs.size();
 }
@@ -65,7 +73,7 @@ Report::Counts counts_of(const View& view, const std::vector<FaceMeasures>& face
   counts.below_resolution = count_of(polygons, [](const VisiblePolygon& polygon) { return polygon.below_resolution; });
   counts.holes = view.polygons.ring_count() - polygons.size();
   counts.output_triangles = view.labelled.triangles.size();
-  counts.crossing_pairs = crossing_pair_count(view.mesh());
+  counts.crossing_pairs = crossing_pair_count(view);
   return counts;
 }
 

@@ -42,10 +42,6 @@ std::string broken_invariant(const Visibility& view) {
   return first_of("labelled", validate(label_mesh(view.scene, view.segments, view.polygons), view.scene));
 }
 
-oracle::Rational window_units(const Wide512& numerator, const Wide512& denominator, int grid_bits) {
-  return {BigInteger(numerator), BigInteger(denominator) << static_cast<unsigned>(grid_bits)};
-}
-
 std::vector<oracle::Claim> claims_of(const Visibility& view) {
   const ImagePoints points(view.scene, view.segments);
   std::vector<oracle::Claim> claims;
@@ -54,9 +50,8 @@ std::vector<oracle::Claim> claims_of(const Visibility& view) {
     for (std::size_t r = 0; r < polygon.ring_count; ++r) {
       claim.rings.emplace_back();
       for (const SegmentId s : view.polygons.ring(polygon.first_ring + r)) {
-        const ExactPoint p = points.exact(view.segments.segments[s.index()].start);
-        claim.rings.back().push_back({window_units(p.x, p.denominator, view.scene.grid_bits),
-                                      window_units(p.y, p.denominator, view.scene.grid_bits)});
+        const ExactPlace p = points.exact(view.segments.segments[s.index()].start);
+        claim.rings.back().push_back({oracle::Rational(p.x, p.w), oracle::Rational(p.y, p.w)});
       }
     }
     claims.push_back(std::move(claim));

@@ -8,10 +8,10 @@ namespace sightline::inline formats {
 
 namespace {
 
-// Returns the mesh edge of the face that lies on the scene edge; invalid where there is none.
-MeshEdgeId edge_of_face(const ProjectedScene& scene, EdgeId edge, FaceId face) {
+// Returns the mesh edge of the face that lies along the segment; invalid where there is none.
+MeshEdgeId edge_of_face(const ProjectedScene& scene, const VisibleSegment& segment, FaceId face) {
   const CutMesh& mesh = scene.mesh();
-  for (const EdgeSide& side : scene.sides_of(edge)) {
+  for (const EdgeSide& side : sides_along(scene, segment)) {
     if (mesh.facet_face[side.facet.index()] == face && side.mesh_edge.valid()) return side.mesh_edge;
   }
   return {};
@@ -22,10 +22,12 @@ FaceId face_of(const CutMesh& mesh, FacetId facet) { return facet.valid() ? mesh
 // Returns the edge of the segment's own face, else of the face on its right.
 MeshEdgeId edge_under(const ProjectedScene& scene, const VisibleSegment& segment) {
   const CutMesh& mesh = scene.mesh();
-  const MeshEdgeId own = edge_of_face(scene, segment.edge, face_of(mesh, segment.facet));
+  const MeshEdgeId own = edge_of_face(scene, segment, face_of(mesh, segment.facet));
   if (own.valid() || !segment.other.valid()) return own;
-  return edge_of_face(scene, segment.edge, face_of(mesh, segment.other));
+  return edge_of_face(scene, segment, face_of(mesh, segment.other));
 }
+
+constexpr const char* common_line = "common";
 
 // An edge is named by its ends. A piece of an edge of the input is named as that edge is.
 void write_edge(const CutMesh& mesh, MeshEdgeId edge, TextBuffer& out) {
@@ -35,7 +37,7 @@ void write_edge(const CutMesh& mesh, MeshEdgeId edge, TextBuffer& out) {
   }
   const auto& ends = mesh.is_cut() ? mesh.cuts.input_edge[edge.index()] : mesh.edges[edge.index()];
   if (!ends[0].valid()) {
-    out << "common";
+    out << common_line;
     return;
   }
   const auto [low, high] = std::minmax(ends[0], ends[1]);
@@ -51,7 +53,11 @@ void write_segments_table(const View& view, const std::vector<Point2>& places, T
   for (const VisibleSegment& segment : view.segments.segments) {
     out << face_of(mesh, segment.facet).value << ',' << texts.x(segment.start) << ',' << texts.y(segment.start) << ','
         << texts.x(segment.end) << ',' << texts.y(segment.end) << ',';
-    write_edge(mesh, edge_under(view.scene, segment), out);
+    if (segment.edge.index() < view.scene.edge_count()) {
+      write_edge(mesh, edge_under(view.scene, segment), out);
+    } else {
+      out << common_line;
+    }
     out << ',';
     if (segment.other.valid()) out << face_of(mesh, segment.other).value;
     out << '\n';

@@ -3,8 +3,9 @@
 //   single_precision, double_precision: every decision of projection, sweep and depth is a plain evaluation in that
 //     type, with no error bound and nothing behind it. Best effort: the outcome is a result, or an ArithmeticError that
 //     says which invariant broke. It ends on every input.
-//   exact: no decision is ever rounded. The default.
-// What is exact in all three: reading, cutting along common lines and the order of the pieces, which facets are clipped
+//   exact: no decision is ever rounded; the points of the image are, once, to the grid. The default.
+//   unrounded: nothing is rounded before it is written, and facets may pass through each other. The grid is none.
+// What is exact in all of them: reading, cutting along common lines and the order of the pieces, which facets are clipped
 // and where (clipping.h), which facets the eye sees edge-on, and what is computed from the sweep's result, where a
 // crossing is the pair of edges that makes it.
 #pragma once
@@ -19,9 +20,12 @@
 
 namespace sightline::inline geometry {
 
-enum class Arithmetic : std::uint8_t { single_precision, double_precision, exact };
+enum class Arithmetic : std::uint8_t { single_precision, double_precision, exact, unrounded };
 
-// The names are "float", "double" and "exact".
+// Returns whether decisions are never rounded.
+[[nodiscard]] constexpr bool is_exact(Arithmetic arithmetic) { return arithmetic >= Arithmetic::exact; }
+
+// The names are "float", "double", "exact" and "unrounded".
 [[nodiscard]] SIGHTLINE_EXPORT const char* to_string(Arithmetic arithmetic);
 [[nodiscard]] SIGHTLINE_EXPORT std::optional<Arithmetic> arithmetic_named(std::string_view name);
 
@@ -40,7 +44,7 @@ auto with_invariants_of(Arithmetic arithmetic, Work work) {
   try {
     return work();
   } catch (const InternalError& error) {
-    if (arithmetic == Arithmetic::exact) throw;
+    if (is_exact(arithmetic)) throw;
     throw ArithmeticError(to_string(arithmetic), error.what());
   }
 }

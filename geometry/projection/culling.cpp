@@ -87,6 +87,8 @@ Objection objection(const CutMesh& mesh, const MeshContacts& contacts, const Cam
 
 }  // namespace
 
+bool is_closed(const CutMesh& mesh) { return !open_edge(mesh); }
+
 SidesDecision decide_sides(const CutMesh& mesh, const MeshContacts& contacts, const Camera& camera,
                            SidesPolicy policy) {
   if (policy == SidesPolicy::front) return {Sides::front, "front sides: as asked"};

@@ -30,6 +30,10 @@ struct SidesDecision {
   std::string reason;  // for the report, e.g. "both sides: edge 12-17 has one facet"
 };
 
+// Returns whether every edge lies on two facets that run through it in opposite directions. Where that is not so, both sides
+// count, whatever meets what.
+[[nodiscard]] SIGHTLINE_EXPORT bool is_closed(const CutMesh& mesh);
+
 // `contacts` says how the mesh met itself before it was cut along common lines, if it was (interpenetration.h).
 [[nodiscard]] SIGHTLINE_EXPORT SidesDecision decide_sides(const CutMesh& mesh, const MeshContacts& contacts,
                                                           const Camera& camera, SidesPolicy policy);

@@ -12,6 +12,7 @@
 #include "geometry/projection/scene_edges.h"
 #include "geometry/projection/seen_orientation.h"
 #include "geometry/projection/unfiltered.h"
+#include "geometry/projection/unrounded_points.h"
 #include "geometry/projection/vertex_projection.h"
 
 namespace sightline::inline geometry {
@@ -26,7 +27,7 @@ std::vector<ProjectedVertex> project_vertices(const CutMesh& mesh, const Camera&
   parallel_for_each(used.size(), [&](std::size_t v) {
     if (used[v] == 0) return;
     projected[v] = project_vertex(mesh, VertexId(v), camera, precision.grid_bits);
-    if (precision.arithmetic != Arithmetic::exact && projected[v].strictly_outside == 0) {
+    if (!is_exact(precision.arithmetic) && projected[v].strictly_outside == 0) {
       projected[v].image = unfiltered::image_point(precision, mesh.vertices[v], camera);
     }
   });
@@ -37,7 +38,7 @@ std::vector<ProjectedVertex> project_vertices(const CutMesh& mesh, const Camera&
 FacetFacing facing_of(const CutMesh& mesh, const Camera& camera, FacetId facet, Arithmetic arithmetic) {
   const auto [a, b, c] = plane_corners(mesh, facet);
   Sign side = seen_orientation(camera, mesh.position(a), mesh.position(b), mesh.position(c));
-  if (arithmetic != Arithmetic::exact && side != 0) {
+  if (!is_exact(arithmetic) && side != 0) {
     side = unfiltered::orient3d(arithmetic, mesh.position(a), mesh.position(b), mesh.position(c), camera.eye);
   }
   return side > 0 ? FacetFacing::front : (side < 0 ? FacetFacing::back : FacetFacing::edge_on);
@@ -81,7 +82,11 @@ class SceneBuilder {
   ProjectedScene build() {
     find_statuses();
     add_corners();
-    number_points();
+    if (scene_.is_unrounded()) {
+      number_unrounded_points(scene_);
+    } else {
+      number_points();
+    }
     places_ = {};
     collect_edges(scene_);
     return std::move(scene_);

@@ -1,10 +1,12 @@
 // The projected scene: what the sweep works on.
 //
 // In:  a mesh, a camera, which sides count.
-// Out: image points (rounded once to the grid, exactly: the nearest grid point of the exact projection), the edges
+// Out: image points (rounded once to the grid, exactly: the nearest grid point of the exact projection; or, where that is
+//      asked for, not at all), the edges
 //      between them with the facets on their two sides, and per facet its polygon in the image after clipping.
 // Holds (validate(scene) checks it):
-//   - points are distinct and in sweep order, so that a smaller PointId is swept earlier;
+//   - points are distinct and in sweep order, so that a smaller PointId is swept earlier; where they are not rounded, the
+//     places are;
 //   - edges are distinct, top before bottom, sorted by (top, bottom); edges that fall on each other are one edge with
 //     all their sides;
 //   - for each facet, the winding over its sides adds up to zero at every point: its boundary is closed;
@@ -30,6 +32,7 @@
 #include "geometry/numbers/ids.h"
 #include "geometry/numbers/image_point.h"
 #include "geometry/projection/camera.h"
+#include "geometry/projection/exact_place.h"
 
 namespace sightline::inline geometry {
 
@@ -78,6 +81,18 @@ struct MadeCorner {
   std::uint32_t corner = 0;          // its number among polygon_corners
 };
 
+// The points of a scene whose points are not rounded (Arithmetic::unrounded).
+struct UnroundedPoints {
+  // A point is where a vertex is, or a corner that clipping made.
+  struct Source {
+    VertexId vertex;
+    MadeCornerId made;
+  };
+  std::vector<CertifiedPlace> places;  // per point
+  std::vector<Source> sources;         // per point
+  std::vector<ExactPlace> made;        // per made corner
+};
+
 struct ProjectedScene {
   std::shared_ptr<const CutMesh> surface;  // what was projected; a scene keeps it alive
   Camera camera;
@@ -89,6 +104,7 @@ struct ProjectedScene {
   bool has_mirrored_lines = false;
 
   std::vector<ImagePoint> points;
+  UnroundedPoints unrounded;     // empty on the grid; else `points` has these places on it, in the order of the places
   std::vector<SceneEdge> edges;  // one more than there are edges: the last one only ends the sides
   std::vector<EdgeSide> sides;
 
@@ -104,6 +120,7 @@ struct ProjectedScene {
   [[nodiscard]] std::size_t edge_count() const { return edges.empty() ? 0 : edges.size() - 1; }
   [[nodiscard]] const SceneEdge& edge(EdgeId e) const { return edges[e.index()]; }
   [[nodiscard]] const ImagePoint& point(PointId p) const { return points[p.index()]; }
+  [[nodiscard]] bool is_unrounded() const { return arithmetic == Arithmetic::unrounded; }
   [[nodiscard]] std::span<const EdgeSide> sides_of(EdgeId e) const {
     const auto first = edges[e.index()].first_side;
     return std::span(sides).subspan(first, edges[e.index() + 1].first_side - first);

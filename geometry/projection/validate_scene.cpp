@@ -4,6 +4,7 @@
 
 #include "geometry/numbers/id_names.h"
 #include "geometry/projection/projected_scene.h"
+#include "geometry/projection/unrounded_points.h"
 
 namespace sightline::inline geometry {
 namespace {
@@ -27,6 +28,9 @@ Messages check_arrays(const ProjectedScene& scene) {
   const auto is_point = [&](PointId p) { return p.index() < scene.points.size(); };
   const auto ends_are_points = [&](const SceneEdge& e) { return is_point(e.top) && is_point(e.bottom); };
   require(scene.grid_bits >= 0 && scene.grid_bits <= default_grid_bits, "grid_bits: more than the predicates can hold");
+  require(!scene.is_unrounded() || (scene.unrounded.places.size() == scene.points.size() &&
+                                    scene.unrounded.sources.size() == scene.points.size()),
+          "unrounded: not one place and source per point");
   require(scene.facing.size() == facets, "facing: not one entry per facet");
   require(are_ranges(scene.polygon_begin, facets, scene.polygon_corners.size()),
           "polygon_begin: not the ranges of one polygon per facet");
@@ -52,13 +56,22 @@ Messages check_arrays(const ProjectedScene& scene) {
   return messages;
 }
 
+// Returns whether b is swept after a. Heights further apart than both radii decide; the difference rounds once.
+bool follows(const ProjectedScene& scene, PointId a, PointId b) {
+  if (!scene.is_unrounded()) return sweeps_before(scene.point(a), scene.point(b));
+  const CertifiedPlace& p = scene.unrounded.places[a.index()];
+  const CertifiedPlace& q = scene.unrounded.places[b.index()];
+  if (p.y - q.y > 2 * (p.radius + q.radius)) return true;
+  return sweep_compare(exact_place(scene, a), exact_place(scene, b)) < 0;
+}
+
 void check_points(const ProjectedScene& scene, Messages& messages) {
   const std::int64_t half_window = std::int64_t{1} << scene.grid_bits;
   const auto in_window = [&](std::int64_t x) { return -half_window <= x && x <= half_window; };
   for (std::size_t p = 0; p < scene.points.size(); ++p) {
     const ImagePoint& point = scene.points[p];
     if (!in_window(point.x) || !in_window(point.y)) messages.push_back(name(PointId(p)) + " is outside the window");
-    if (p > 0 && !sweeps_before(scene.points[p - 1], point))
+    if (p > 0 && !follows(scene, PointId(p - 1), PointId(p)))
       messages.push_back(name(PointId(p)) + " does not follow the one before it in sweep order");
   }
 }

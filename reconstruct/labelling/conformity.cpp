@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <span>
-#include <tuple>
 #include <utility>
 
 namespace sightline::inline reconstruct {
@@ -56,19 +55,10 @@ std::span<const Link> leaving_from(const Chain& links, VertexId v) {
   return {first, last};
 }
 
-std::vector<VertexId> weld(const std::vector<Point3>& vertices) {
-  const auto position = [&](VertexId v) {
-    const Point3& p = vertices[v.index()];
-    return std::tuple(p.x(), p.y(), p.z());
-  };
-  std::vector<VertexId> order;
-  for (std::size_t v = 0; v < vertices.size(); ++v) order.emplace_back(v);
-  std::ranges::stable_sort(order, {}, position);
-  std::vector<VertexId> welded(vertices.size());
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const bool repeated = i > 0 && position(order[i - 1]) == position(order[i]);
-    welded[order[i].index()] = repeated ? welded[order[i - 1].index()] : order[i];
-  }
+// Vertices of the input at one position are one; each vertex that is new is its own, wherever rounding has put it.
+std::vector<VertexId> weld(const LabelledMesh& labelled, const PolygonMesh& mesh) {
+  std::vector<VertexId> welded = mesh.weld;
+  for (std::size_t v = welded.size(); v < labelled.vertices.size(); ++v) welded.emplace_back(v);
   return welded;
 }
 
@@ -78,7 +68,7 @@ class Conformity {
       : labelled_(labelled),
         mesh_(mesh),
         messages_(messages),
-        weld_(weld(labelled.vertices)),
+        weld_(weld(labelled, mesh)),
         segments_(mesh.edges.size()) {}
 
   void run() {

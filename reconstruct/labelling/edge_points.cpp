@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "geometry/numbers/errors.h"
+#include "reconstruct/labelling/exact_lift.h"
 #include "reconstruct/labelling/lift.h"
 
 namespace sightline::inline reconstruct {
@@ -83,6 +84,7 @@ bool EdgePoints::before_on_edge(const Candidate& a, const Candidate& b, const Im
 
 Point3 EdgePoints::position(const Candidate& c, const ProjectedScene& scene, const ImagePoints& points) const {
   if (c.made != nullptr) return c.made->position;
+  if (scene.is_unrounded()) return exact_lift_on_edge(scene, c.edge, points.exact(c.point));
   const InView& view = in_view(c.edge);
   return lift_on_edge(scene, points, *view.from, *view.to, c.point);
 }

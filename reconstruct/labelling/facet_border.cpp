@@ -196,6 +196,7 @@ std::vector<ImagePoint> turning_points(const ProjectedScene& scene, FacetId face
 }  // namespace
 
 bool is_proper(const ProjectedScene& scene, FacetId facet) {
+  if (scene.is_unrounded()) return scene.status[facet.index()] == FacetStatus::in_view;
   const CutMesh& mesh = scene.mesh();
   const Sign turn = scene.facing[facet.index()] == FacetFacing::back ? -1 : 1;
   const auto polygon = scene.polygon(facet);

@@ -86,7 +86,7 @@ const char* to_string(Label label) {
 
 LabelledMesh label_mesh(const ProjectedScene& scene, const VisibleSegments& segments, const VisiblePolygons& polygons,
                         const PanelBorders& panels) {
-  if (scene.arithmetic != Arithmetic::exact) require_valid(scene, segments, polygons);
+  if (!is_exact(scene.arithmetic)) require_valid(scene, segments, polygons);
   return with_invariants_of(scene.arithmetic,
                             [&] { return labelled_mesh(LabelSources(scene, segments, polygons, panels)); });
 }

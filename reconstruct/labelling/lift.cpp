@@ -65,7 +65,7 @@ Point3 lift_on_edge(const ProjectedScene& scene, const ImagePoints& points, cons
                     const ClippedCorner& b, PointId p) {
   const ImagePoint& image_a = scene.point(a.point);
   const ImagePoint& image_b = scene.point(b.point);
-  const ExactPoint exact = points.exact(p);
+  const ExactPoint exact = exact_point(scene, points.segments(), p);
   const std::int64_t dx = image_b.x - image_a.x;
   const std::int64_t dy = image_b.y - image_a.y;
   const double s =
@@ -78,7 +78,7 @@ Point3 lift_on_edge(const ProjectedScene& scene, const ImagePoints& points, cons
 // The polygon is taken as a fan of triangles around its first corner.
 std::optional<Point3> lift_on_facet(const ProjectedScene& scene, const ImagePoints& points, FacetId facet, PointId p) {
   const auto polygon = scene.polygon(facet);
-  const ExactPoint exact = points.exact(p);
+  const ExactPoint exact = exact_point(scene, points.segments(), p);
   const auto image = [&](std::size_t i) { return scene.point(polygon[i].point); };
   for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
     const Sign turn = orientation(image(0), image(i), image(i + 1));

@@ -8,6 +8,7 @@ namespace sightline::inline reconstruct {
 
 void SurfaceVertices::begin(FacetId surface) {
   surface_ = surface;
+  exact_lift_.begin(surface);
   known_.clear();
 }
 
@@ -17,7 +18,8 @@ VertexId SurfaceVertices::vertex_at(PointId p, std::optional<Point3> position) {
   return place->second;
 }
 
-Point3 SurfaceVertices::lift(PointId p) const {
+Point3 SurfaceVertices::lift(PointId p) {
+  if (scene_.is_unrounded()) return exact_lift_(points_.exact(p));
   for (std::size_t f = surface_.index(); f < end_of_surface(mesh_, surface_).index(); ++f) {
     if (const auto lifted = lift_on_facet(scene_, points_, FacetId(f), p)) return *lifted;
   }

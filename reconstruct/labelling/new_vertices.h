@@ -11,6 +11,7 @@
 #include <optional>
 #include <vector>
 
+#include "reconstruct/labelling/exact_lift.h"
 #include "reconstruct/labelling/facet_border.h"
 
 namespace sightline::inline reconstruct {
@@ -39,13 +40,13 @@ class SurfaceVertices : public InnerVertices {
  public:
   // New vertices are added to `vertices`.
   SurfaceVertices(const ProjectedScene& scene, const ImagePoints& points, NewVertices& vertices)
-      : mesh_(scene.mesh()), scene_(scene), points_(points), vertices_(vertices) {}
+      : mesh_(scene.mesh()), scene_(scene), points_(points), vertices_(vertices), exact_lift_(scene) {}
 
   void begin(FacetId surface);
   VertexId vertex_at(PointId p, std::optional<Point3> position) override;
 
  private:
-  [[nodiscard]] Point3 lift(PointId p) const;
+  [[nodiscard]] Point3 lift(PointId p);
 
   const CutMesh& mesh_;
   const ProjectedScene& scene_;
@@ -53,6 +54,7 @@ class SurfaceVertices : public InnerVertices {
   NewVertices& vertices_;
   FacetId surface_;
   std::map<PointId, VertexId> known_;
+  PlaneLift exact_lift_;  // where nothing is rounded
 };
 
 }  // namespace sightline::inline reconstruct

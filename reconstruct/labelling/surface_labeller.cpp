@@ -122,7 +122,7 @@ class SurfaceLabeller {
   [[nodiscard]] bool is_whole(const std::vector<SegmentId>& visible, std::size_t begin, std::size_t end) const {
     if (end - begin > 1) return false;
     return std::all_of(visible.begin(), visible.end(), [&](SegmentId s) {
-      const auto sides = scene_.sides_of(segments_.segments[s.index()].edge);
+      const auto sides = sides_along(scene_, segments_.segments[s.index()]);
       return std::any_of(sides.begin(), sides.end(), [&](const EdgeSide& side) { return side.facet.index() == begin; });
     });
   }

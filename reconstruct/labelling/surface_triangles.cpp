@@ -162,7 +162,7 @@ class SurfaceTriangles {
     const PointId bottom = down ? segment.end : segment.start;
     const auto between = [&](PointId p) { return image_.sweeps_before(top, p) && image_.sweeps_before(p, bottom); };
     std::vector<PointId> result;
-    for (const EdgeSide& side : scene_.sides_of(segment.edge)) {
+    for (const EdgeSide& side : sides_along(scene_, segment)) {
       if (surface_of(mesh_, side.facet) != surface_.surface || !side.mesh_edge.valid()) continue;
       for (const EdgePoint& p : edge_points_.on(side.mesh_edge)) {
         if (between(p.point) && points_.contains(p.point)) result.push_back(p.point);

@@ -52,12 +52,12 @@ class SurfaceLayout {
   // Returns the winding number where the sweep line comes from the left to s, just below its upper end.
   [[nodiscard]] int winding_left_of(SegmentId s) const {
     const PointId p = sides_.upper(segment(s));
-    const SweptLine along = sides_.line(segment(s).edge);
+    const EdgeId along = segment(s).edge;
     int winding = 0;
     for (const SegmentId t : ids_) {
       const VisibleSegment& other = segment(t);
       if (sides_.before(p, sides_.upper(other)) || !sides_.before(p, sides_.lower(other))) continue;
-      if (sides_.place_beside(sides_.line(other.edge), p, along) < 0) winding += sides_.runs_down(other) ? 1 : -1;
+      if (sides_.place_beside(other.edge, p, along) < 0) winding += sides_.runs_down(other) ? 1 : -1;
     }
     return winding;
   }
@@ -70,10 +70,10 @@ class SurfaceLayout {
 }  // namespace
 
 bool meet_inside(const EdgeSides& sides, const VisibleSegment& s, const VisibleSegment& t) {
-  const SweptLine on_s = sides.line(s.edge);
-  const SweptLine on_t = sides.line(t.edge);
+  const EdgeId on_s = s.edge;
+  const EdgeId on_t = t.edge;
   if (sides.turn(on_s, on_t) == 0) {
-    if (sides.side(on_s, on_t.top) != 0) return false;
+    if (sides.side(on_s, sides.upper(t)) != 0) return false;
     return sides.before(sides.upper(s), sides.lower(t)) && sides.before(sides.upper(t), sides.lower(s));
   }
   // Different lines meet once: in a common end, or else nowhere in both.

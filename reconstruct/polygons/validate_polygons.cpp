@@ -164,21 +164,20 @@ class PolygonCheck {
       const VisibleSegment& s = segment(id);
       if (s.start == p) return true;
       if (sides_.before(p, sides_.upper(s)) || !sides_.before(p, sides_.lower(s))) continue;
-      const Sign side = sides_.side(sides_.line(s.edge), p);
+      const Sign side = sides_.side(s.edge, p);
       if (side == 0) return true;
       if (side > 0) inside = !inside;
     }
     return inside;
   }
 
-  // Recorded values are in window units, which are grid units times a power of two.
   void check_measures(std::size_t p) {
     const VisiblePolygon& polygon = polygons_.polygons[p];
     RingMeasure m;
     for (std::size_t r = polygon.first_ring; r < polygon.first_ring + polygon.ring_count; ++r)
       m += measure(sides_.points(), segments_, polygons_.ring(r));
-    const double twice_area = std::ldexp(2 * polygon.area, 2 * scene_.grid_bits);
-    const double perimeter = std::ldexp(polygon.perimeter, scene_.grid_bits);
+    const double twice_area = 2 * polygon.area;
+    const double perimeter = polygon.perimeter;
     // Both may be off by the bound.
     if (!(std::fabs(twice_area - m.twice_area.value) <= 2 * m.twice_area.radius))
       messages_.push_back(polygon_name(p) + " has another area than the one recorded");
@@ -186,7 +185,7 @@ class PolygonCheck {
       check_exact_area(p, twice_area, m.twice_area.radius);
     if (!(std::fabs(perimeter - m.perimeter.value) <= 2 * m.perimeter.radius))
       messages_.push_back(polygon_name(p) + " has another perimeter than the one recorded");
-    if (polygon.below_resolution != (twice_area < perimeter))
+    if (polygon.below_resolution != is_below_resolution(scene_, polygon.facet, polygon.area, perimeter))
       messages_.push_back(polygon_name(p) + (polygon.below_resolution ? " is not" : " is") + " below resolution");
   }
 

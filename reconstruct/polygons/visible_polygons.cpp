@@ -1,10 +1,7 @@
 #include "reconstruct/polygons/visible_polygons.h"
 
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "geometry/mesh/facet_plane.h"
 #include "geometry/numbers/errors.h"
@@ -13,7 +10,6 @@
 #include "reconstruct/polygons/ring_linker.h"
 #include "reconstruct/polygons/ring_measure.h"
 #include "sweep/segments/image_points.h"
-#include "sweep/unrounded/unrounded_sweep.h"
 
 namespace sightline::inline reconstruct {
 namespace {
@@ -89,29 +85,24 @@ Grouping<SegmentId> segments_by_surface(const CutMesh& mesh, const VisibleSegmen
 
 // All surfaces are reconstructed from these: what the sweep found, and how and where its points and edges are.
 struct Sources {
-  Sources(const CutMesh& m, const VisibleSegments& v, const EdgeTurns& t, const SweepOrder& o,
-          std::function<RingMeasure(std::span<const SegmentId>)> measure_of, int bits, double width)
-      : mesh(m),
+  Sources(const ProjectedScene& s, const VisibleSegments& v)
+      : scene(s),
+        mesh(s.mesh()),
         segments(v),
-        turns(t),
-        order(o),
-        measure(std::move(measure_of)),
-        unit_bits(bits),
-        resolution(width),
-        of_surface(segments_by_surface(m, v)),
+        points(s, v),
+        order(points.order()),
+        of_surface(segments_by_surface(mesh, v)),
         threads(v.threads) {
     std::stable_sort(threads.begin(), threads.end(), [this](const Thread& a, const Thread& b) {
       return surface_of(mesh, a.facet) < surface_of(mesh, b.facet);
     });
   }
 
+  const ProjectedScene& scene;
   const CutMesh& mesh;
   const VisibleSegments& segments;
-  const EdgeTurns& turns;
+  const ImagePoints points;
   const SweepOrder& order;
-  const std::function<RingMeasure(std::span<const SegmentId>)> measure;
-  const int unit_bits;      // measures are in units of 2^-unit_bits of the window's
-  const double resolution;  // what is narrower, in these units, is below resolution
   const Grouping<SegmentId> of_surface;
   std::vector<Thread> threads;  // by surface; those of one surface stay in sweep order
 };
@@ -123,7 +114,7 @@ class Reconstruction {
 
   void add_surface(FacetId surface) {
     const auto ids = from_.of_surface.of(surface.index());
-    const SingleRing single = single_ring(from_.turns, from_.order, from_.segments, ids);
+    const SingleRing single = single_ring(from_.points, from_.order, from_.segments, ids);
     if (single.outer) {
       add_single(surface, {single.segments.data(), single.segments.size()});
     } else if (!ids.empty()) {
@@ -147,7 +138,7 @@ class Reconstruction {
     };
     const auto [first, last] =
         std::equal_range(from_.threads.begin(), from_.threads.end(), Thread{{}, surface, {}}, by_surface);
-    SurfacePolygons polygons(from_.turns, from_.order, from_.segments, ids);
+    SurfacePolygons polygons(from_.points, from_.order, from_.segments, ids);
     for (const auto& rings : polygons.polygons({first, last}, from_.order)) add_polygon(surface, rings);
   }
 
@@ -159,7 +150,7 @@ class Reconstruction {
   }
 
   void add_ring(std::span<const SegmentId> ring, RingMeasure& total) {
-    total += from_.measure(ring);
+    total += measure(from_.points, from_.segments, ring);
     result_.ring_segments.insert(result_.ring_segments.end(), ring.begin(), ring.end());
     result_.ring_begin.push_back(static_cast<std::uint32_t>(result_.ring_segments.size()));
   }
@@ -171,9 +162,9 @@ class Reconstruction {
     polygon.face = from_.mesh.facet_face[surface.index()];
     polygon.first_ring = first_ring;
     polygon.ring_count = static_cast<std::uint32_t>(result_.ring_count()) - first_ring;
-    polygon.below_resolution = total.twice_area.value < from_.resolution * total.perimeter.value;
-    polygon.area = std::ldexp(total.twice_area.value / 2, -2 * from_.unit_bits);
-    polygon.perimeter = std::ldexp(total.perimeter.value, -from_.unit_bits);
+    polygon.area = total.twice_area.value / 2;
+    polygon.perimeter = total.perimeter.value;
+    polygon.below_resolution = is_below_resolution(from_.scene, surface, polygon.area, polygon.perimeter);
     result_.polygons.push_back(polygon);
   }
 
@@ -208,40 +199,21 @@ VisiblePolygons reconstruct(const Sources& sources) {
 }  // namespace
 
 VisiblePolygons reconstruct_polygons(const ProjectedScene& scene, const VisibleSegments& segments) {
-  const ImagePoints points(scene, segments);
-  const GridTurns turns(scene);
-  const SweepOrder order(scene, segments);
-  const auto measure_of = [&](std::span<const SegmentId> ring) { return measure(points, segments, ring); };
-  return with_invariants_of(scene.arithmetic, [&] {
-    return reconstruct(Sources(scene.mesh(), segments, turns, order, measure_of, scene.grid_bits, 1));
-  });
-}
-
-VisiblePolygons reconstruct_polygons(const UnroundedScene& scene, const UnroundedSegments& found) {
-  const SweepOrder order(scene.scene, found.segments);
-  const auto measure_of = [&](std::span<const SegmentId> ring) { return measure(found, ring); };
-  const double spacing = std::ldexp(1.0, -scene.scene.grid_bits);
-  tbb::task_arena one_thread(1);  // the decider remembers what it was asked, and is for one
-  return one_thread.execute([&] {
-    return reconstruct(Sources(scene.mesh(), found.segments, *found.decider, order, measure_of, 0, spacing));
-  });
+  return with_invariants_of(scene.arithmetic, [&] { return reconstruct(Sources(scene, segments)); });
 }
 
 Rational exact_area(const ProjectedScene& scene, const VisibleSegments& segments, const VisiblePolygons& polygons,
                     std::size_t polygon) {
   const VisiblePolygon& p = polygons.polygons[polygon];
   Rational twice_area = 0;
-  const auto rational = [](const Wide512& numerator, const Wide512& denominator) {
-    return Rational(BigInteger(numerator), BigInteger(denominator));
-  };
   for (std::size_t r = p.first_ring; r < p.first_ring + p.ring_count; ++r) {
     for (const SegmentId s : polygons.ring(r)) {
-      const ExactPoint a = exact_point(scene, segments, segments.segments[s.index()].start);
-      const ExactPoint b = exact_point(scene, segments, segments.segments[s.index()].end);
-      twice_area += rational(Wide512(a.x * b.y - a.y * b.x), Wide512(a.denominator * b.denominator));
+      const ExactPlace a = exact_place(scene, segments, segments.segments[s.index()].start);
+      const ExactPlace b = exact_place(scene, segments, segments.segments[s.index()].end);
+      twice_area += Rational(BigInteger(a.x * b.y - a.y * b.x), BigInteger(a.w * b.w));
     }
   }
-  return twice_area / 2;
+  return twice_area / 2 * Rational(BigInteger(1) << static_cast<unsigned>(2 * scene.grid_bits));
 }
 
 }  // namespace sightline::inline reconstruct

@@ -7,7 +7,8 @@
 //   - every segment is in exactly one ring;
 //   - the polygons of one face do not overlap; those of a face whose corners are not in one plane stay within one
 //     facet each. A polygon with 2 * area / perimeter below one grid spacing is below resolution: it is listed, but
-//     its face is not called visible for it (docs/design.md, section 3).
+//     its face is not called visible for it (docs/design.md, section 3); without rounding, not if that is a thousandth or more
+//     of the same of all that is in view of its surface.
 // Complexity: O(m log m) for m segments.
 // Errors: InternalError; in float and double (scene.arithmetic) ArithmeticError instead.
 // Source: Fang 1993, section 5.3.1, "Polygon Reconstruction".
@@ -25,11 +26,6 @@
 #include "geometry/numbers/export.h"
 #include "geometry/projection/projected_scene.h"
 #include "sweep/segments/visible_segments.h"
-
-namespace sightline::inline sweep {
-class UnroundedScene;
-struct UnroundedSegments;
-}  // namespace sightline::inline sweep
 
 namespace sightline::inline reconstruct {
 
@@ -58,11 +54,7 @@ struct VisiblePolygons {
 [[nodiscard]] SIGHTLINE_EXPORT VisiblePolygons reconstruct_polygons(const ProjectedScene& scene,
                                                                     const VisibleSegments& segments);
 
-// The same without rounding. Areas are off by no more than their own rounding; below resolution is what is narrower than a
-// spacing of the grid all the same.
-[[nodiscard]] VisiblePolygons reconstruct_polygons(const UnroundedScene& scene, const UnroundedSegments& found);
-
-// Returns the exact area of a polygon (outer ring minus holes), in grid units squared.
+// Returns the exact area of a polygon (outer ring minus holes), in grid units squared, be its points on the grid or not.
 [[nodiscard]] SIGHTLINE_EXPORT Rational exact_area(const ProjectedScene& scene, const VisibleSegments& segments,
                                                    const VisiblePolygons& polygons, std::size_t polygon);
 

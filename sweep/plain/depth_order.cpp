@@ -131,7 +131,7 @@ Sign DepthOrder::seen_orientation(VertexId a, VertexId b, VertexId c) {
   const Point3& pa = mesh_.position(a);
   const Point3& pb = mesh_.position(b);
   const Point3& pc = mesh_.position(c);
-  if (arithmetic_ == Arithmetic::exact) return sightline::seen_orientation(camera_, pa, pb, pc, &counts_);
+  if (is_exact(arithmetic_)) return sightline::seen_orientation(camera_, pa, pb, pc, &counts_);
   return unfiltered::orient3d(arithmetic_, pa, pb, pc, camera_.eye);
 }
 
@@ -140,7 +140,7 @@ Sign DepthOrder::orientation(VertexId a, VertexId b, VertexId c, const Homogeneo
   const Point3& pa = mesh_.position(a);
   const Point3& pb = mesh_.position(b);
   const Point3& pc = mesh_.position(c);
-  if (arithmetic_ == Arithmetic::exact) return orient3d(pa, pb, pc, d, &counts_);
+  if (is_exact(arithmetic_)) return orient3d(pa, pb, pc, d, &counts_);
   return unfiltered::orient3d(arithmetic_, pa, pb, pc, d);
 }
 

@@ -144,7 +144,7 @@ void SegmentRecorder::name(const NamedPoint& point, std::span<const BundleId> be
   point_ = point.vertex;
   if (point_.valid()) return;
   point_ = PointId(scene_.points.size() + result_.crossings.size());
-  const bool exact = scene_.arithmetic == Arithmetic::exact;
+  const bool exact = is_exact(scene_.arithmetic);
   result_.crossings.push_back(exact ? crossing_of_carriers(point.crossing.after, below, active) : point.crossing);
 }
 

@@ -1,50 +1,55 @@
-// Where points, lines and segments of a sweep's result lie to each other, exactly, as the sweep line meets them.
+// Where points, edges and segments of a sweep's result lie to each other, exactly, as the sweep line meets them.
 //
 // In:  a projected scene and the segments found in it; every id in range, every crossing one of two edges that cross.
 // Out: signs and orders. Left and right are those of an edge looked at from the front, as in the active edge list:
 //      the sweep line crosses edges from left to right.
-// Complexity: O(1) each.
+// Complexity: O(1) each, but for edge_between, O(log n).
 #pragma once
+
+#include <algorithm>
+#include <array>
 
 #include "sweep/segments/image_points.h"
 
 namespace sightline::inline sweep {
 
-// A swept line has a direction that follows the sweep.
-struct SweptLine {
-  PointId top;
-  PointId bottom;
-};
-
 class EdgeSides {
  public:
-  EdgeSides(const ProjectedScene& scene, const VisibleSegments& segments)
-      : scene_(&scene), segments_(&segments), points_(scene, segments) {}
+  EdgeSides(const ProjectedScene& scene, const VisibleSegments& segments) : scene_(&scene), points_(scene, segments) {}
 
   [[nodiscard]] const ImagePoints& points() const { return points_; }
   [[nodiscard]] bool before(PointId a, PointId b) const { return points_.sweeps_before(a, b); }
-  [[nodiscard]] SweptLine line(EdgeId e) const { return {scene_->edge(e).top, scene_->edge(e).bottom}; }
+  [[nodiscard]] bool is_swap_edge(EdgeId e) const { return e.index() >= scene_->edge_count(); }
 
-  // Returns +1 where p is right of the line, 0 where it is on it.
-  [[nodiscard]] Sign side(const SweptLine& line, PointId p) const {
-    return is_made_by(line, p) ? 0 : points_.orientation(line.top, line.bottom, p);
-  }
+  // Returns +1 where p is right of the edge's line, 0 where it is on it.
+  [[nodiscard]] Sign side(EdgeId e, PointId p) const { return points_.side(e, p); }
 
   // Returns +1 where, below a common point, a lies left of b; 0 where they are parallel.
-  [[nodiscard]] Sign turn(const SweptLine& a, const SweptLine& b) const {
-    const ImagePoint u = direction(a);
-    const ImagePoint v = direction(b);
-    return sign_of(static_cast<Int128>(u.x) * v.y - static_cast<Int128>(u.y) * v.x);
+  [[nodiscard]] Sign turn(EdgeId a, EdgeId b) const { return points_.turn(a, b); }
+
+  // `along` passes through p. Just below p the sweep line meets edge e left of `along` (-1), on it (0) or right of it
+  // (+1). Precondition: crosses_below(e, p).
+  [[nodiscard]] Sign place_beside(EdgeId e, PointId p, EdgeId along) const {
+    const Sign at_point = side(e, p);
+    return -(at_point != 0 ? at_point : turn(e, along));
+  }
+  [[nodiscard]] bool crosses_below(EdgeId e, PointId p) const {
+    return is_swap_edge(e) || (!before(p, scene_->edge(e).top) && before(p, scene_->edge(e).bottom));
   }
 
-  // `along` passes through p. Just below p the sweep line meets `line` left of `along` (-1), on it (0) or right of it
-  // (+1). Precondition: crosses_below(line, p).
-  [[nodiscard]] Sign place_beside(const SweptLine& line, PointId p, const SweptLine& along) const {
-    const Sign at_point = side(line, p);
-    return -(at_point != 0 ? at_point : turn(line, along));
+  // Returns whether p is on the edge, its ends included.
+  [[nodiscard]] bool is_on(EdgeId e, PointId p) const {
+    if (side(e, p) != 0) return false;
+    return is_swap_edge(e) || (!before(p, scene_->edge(e).top) && !before(scene_->edge(e).bottom, p));
   }
-  [[nodiscard]] bool crosses_below(const SweptLine& line, PointId p) const {
-    return !before(p, line.top) && before(p, line.bottom);
+
+  // Returns the scene's edge with these ends, upper end first. Precondition: there is one.
+  [[nodiscard]] EdgeId edge_between(PointId top, PointId bottom) const {
+    const auto& edges = scene_->edges;
+    const auto ends = [](const SceneEdge& e) { return std::array{e.top, e.bottom}; };
+    const auto end = edges.begin() + static_cast<std::ptrdiff_t>(scene_->edge_count());
+    const auto found = std::ranges::lower_bound(edges.begin(), end, std::array{top, bottom}, {}, ends);
+    return EdgeId(static_cast<std::size_t>(found - edges.begin()));
   }
 
   [[nodiscard]] bool runs_down(const VisibleSegment& s) const { return before(s.start, s.end); }
@@ -52,24 +57,7 @@ class EdgeSides {
   [[nodiscard]] PointId lower(const VisibleSegment& s) const { return runs_down(s) ? s.end : s.start; }
 
  private:
-  [[nodiscard]] ImagePoint direction(const SweptLine& line) const {
-    const ImagePoint& top = scene_->point(line.top);
-    const ImagePoint& bottom = scene_->point(line.bottom);
-    return {bottom.x - top.x, bottom.y - top.y};
-  }
-
-  // Returns whether p is a crossing on an edge between the line's ends: then it is on it, without arithmetic.
-  [[nodiscard]] bool is_made_by(const SweptLine& line, PointId p) const {
-    if (p.index() < scene_->points.size()) return false;
-    const Crossing& crossing = segments_->crossings[p.index() - scene_->points.size()];
-    const auto equals = [&](EdgeId e) {
-      return scene_->edge(e).top == line.top && scene_->edge(e).bottom == line.bottom;
-    };
-    return equals(crossing.a) || equals(crossing.b);
-  }
-
   const ProjectedScene* scene_;
-  const VisibleSegments* segments_;
   ImagePoints points_;
 };
 

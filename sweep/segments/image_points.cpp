@@ -1,6 +1,11 @@
 #include "sweep/segments/image_points.h"
 
+#include <algorithm>
 #include <cmath>
+
+#include "geometry/numbers/parallel.h"
+#include "geometry/projection/unrounded_points.h"
+#include "sweep/segments/image_decisions.h"
 
 namespace sightline::inline sweep {
 namespace {
@@ -10,54 +15,130 @@ ExactPoint homogeneous(const CrossingPoint& c) {
           Wide512(c.denominator)};
 }
 
-Sign exact_orientation(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c) {
-  const auto minor = [](const ExactPoint& p, const ExactPoint& q) { return Wide512(p.x * q.y - p.y * q.x); };
-  return sign_of(Wide512(minor(a, b) * c.denominator + minor(b, c) * a.denominator + minor(c, a) * b.denominator));
+template <class Place, class Integer>
+Sign exact_orientation(const Place& a, const Place& b, const Place& c, Integer Place::*w) {
+  const auto minor = [](const Place& p, const Place& q) { return Integer(p.x * q.y - p.y * q.x); };
+  return sign_of(Integer(minor(a, b) * (c.*w) + minor(b, c) * (a.*w) + minor(c, a) * (b.*w)));
 }
 
-}  // namespace
-
-ImagePoints::ImagePoints(const ProjectedScene& scene, const VisibleSegments& segments)
-    : scene_(&scene), order_(scene, segments) {
-  crossings_.reserve(segments.crossings.size());
-  for (const Crossing& crossing : segments.crossings)
-    crossings_.push_back(crossing_point(scene, crossing.a, crossing.b));
+// The orientation of three places, known up to their radii. A difference of two is off by both, and rounds: by u of itself
+// (u = 2^-53). The determinant of two such ways is then off as unrounded_image.h derives.
+std::optional<Sign> certain_orientation(const CertifiedPlace& a, const CertifiedPlace& b, const CertifiedPlace& c) {
+  const Bounded ux = Bounded(b.x, b.radius) - Bounded(a.x, a.radius);
+  const Bounded uy = Bounded(b.y, b.radius) - Bounded(a.y, a.radius);
+  const Bounded vx = Bounded(c.x, c.radius) - Bounded(a.x, a.radius);
+  const Bounded vy = Bounded(c.y, c.radius) - Bounded(a.y, a.radius);
+  return certain_sign(ux * vy - uy * vx);
 }
 
-Point2 ImagePoints::in_window(PointId p) const {
-  if (p.index() < scene_->points.size()) {
-    const Point2 grid = approximate(p);
-    return {std::ldexp(grid.x, -scene_->grid_bits), std::ldexp(grid.y, -scene_->grid_bits)};
-  }
-  const ExactPoint exact_place = exact(p);
-  return {std::ldexp(rounded_quotient(exact_place.x, exact_place.denominator), -scene_->grid_bits),
-          std::ldexp(rounded_quotient(exact_place.y, exact_place.denominator), -scene_->grid_bits)};
-}
-
-ExactPoint ImagePoints::exact(PointId p) const {
-  const std::size_t vertices = scene_->points.size();
-  if (p.index() >= vertices) return homogeneous(crossings_[p.index() - vertices]);
-  return {Wide512(scene_->point(p).x), Wide512(scene_->point(p).y), Wide512(1)};
-}
-
-Sign ImagePoints::orientation(PointId a, PointId b, PointId c) const {
-  if (a == b || b == c || a == c) return 0;
-  // A difference of two approximate coordinates is off by two crossing errors and its own rounding.
+// On the grid a difference of two approximate coordinates is off by two crossing errors and its own rounding.
+std::optional<Sign> certain_orientation(const Point2& a, const Point2& b, const Point2& c) {
   constexpr double difference_error = 2 * crossing_error + 0x1p-11;
-  const Point2 pa = approximate(a);
-  const Point2 pb = approximate(b);
-  const Point2 pc = approximate(c);
-  const double ux = pb.x - pa.x;
-  const double uy = pb.y - pa.y;
-  const double vx = pc.x - pa.x;
-  const double vy = pc.y - pa.y;
+  const double ux = b.x - a.x;
+  const double uy = b.y - a.y;
+  const double vx = c.x - a.x;
+  const double vy = c.y - a.y;
   const double left = ux * vy;
   const double right = uy * vx;
   const double bound =
       difference_error * ((std::fabs(ux) + std::fabs(uy)) + (std::fabs(vx) + std::fabs(vy))) * (1 + 0x1p-20) +
       2 * difference_error * difference_error + 0x1p-51 * (std::fabs(left) + std::fabs(right));
   if (std::fabs(left - right) > bound) return left > right ? 1 : -1;
-  return exact_orientation(exact(a), exact(b), exact(c));
+  return std::nullopt;
+}
+
+ImagePoint direction(const ProjectedScene& scene, EdgeId e) {
+  return ExactDecisions::direction(scene.point(scene.edge(e).top), scene.point(scene.edge(e).bottom));
+}
+
+}  // namespace
+
+ImagePoints::ImagePoints(const ProjectedScene& scene, const VisibleSegments& segments)
+    : scene_(&scene), segments_(&segments), order_(scene, segments) {
+  const std::size_t count = segments.crossings.size();
+  if (scene.is_unrounded()) {
+    unrounded_ = std::make_unique<UnroundedImage>(scene, segments.swap_edges);
+    places_.resize(count);
+    parallel_for_each(count, [&](std::size_t c) {
+      places_[c] = unrounded_->certified(UnroundedImage::Place{segments.crossings[c].a, segments.crossings[c].b});
+    });
+    return;
+  }
+  crossings_.reserve(count);
+  for (const Crossing& crossing : segments.crossings)
+    crossings_.push_back(crossing_point(scene, crossing.a, crossing.b));
+}
+
+const Crossing* ImagePoints::crossing(PointId p) const {
+  const std::size_t vertices = scene_->points.size();
+  return p.index() < vertices ? nullptr : &segments_->crossings[p.index() - vertices];
+}
+
+CertifiedPlace ImagePoints::certified(PointId p) const {
+  const std::size_t vertices = scene_->points.size();
+  if (unrounded_) return p.index() < vertices ? unrounded_->certified(p) : places_[p.index() - vertices];
+  const Point2 grid = approximate(p);
+  const auto in_window_units = [this](double value) { return std::ldexp(value, -scene_->grid_bits); };
+  return {in_window_units(grid.x), in_window_units(grid.y), in_window_units(crossing_error)};
+}
+
+Point2 ImagePoints::in_window(PointId p) const {
+  if (p.index() < scene_->points.size() && !unrounded_) {
+    const CertifiedPlace place = certified(p);
+    return {place.x, place.y};
+  }
+  const ExactPlace place = exact(p);
+  return {rounded_quotient(place.x, place.w), rounded_quotient(place.y, place.w)};
+}
+
+ExactPlace ImagePoints::exact(PointId p) const {
+  const Crossing* const made = crossing(p);
+  if (made == nullptr) return unrounded_ ? unrounded_->exact(p) : exact_place(*scene_, p);
+  return unrounded_ ? unrounded_->exact(UnroundedImage::Place{made->a, made->b}) : exact_place(*scene_, *segments_, p);
+}
+
+Sign ImagePoints::orientation(PointId a, PointId b, PointId c) const {
+  if (a == b || b == c || a == c) return 0;
+  if (unrounded_) {
+    const auto sign = certain_orientation(certified(a), certified(b), certified(c));
+    return sign ? *sign : exact_orientation(exact(a), exact(b), exact(c), &ExactPlace::w);
+  }
+  const auto sign = certain_orientation(approximate(a), approximate(b), approximate(c));
+  if (sign) return *sign;
+  const auto place = [this](PointId p) { return exact_point(*scene_, *segments_, p); };
+  return exact_orientation(place(a), place(b), place(c), &ExactPoint::denominator);
+}
+
+Sign ImagePoints::turn(EdgeId a, EdgeId b) const {
+  return unrounded_ ? unrounded_->turn(a, b) : ExactDecisions::turn(direction(*scene_, a), direction(*scene_, b));
+}
+
+Sign ImagePoints::side(EdgeId e, PointId p) const {
+  const Crossing* const made = crossing(p);
+  if (made != nullptr && (made->a == e || made->b == e)) return 0;
+  if (!unrounded_) return orientation(scene_->edge(e).top, scene_->edge(e).bottom, p);
+  return made == nullptr ? unrounded_->side(e, p) : unrounded_->side(e, UnroundedImage::Place{made->a, made->b});
+}
+
+int ImagePoints::compare(const Crossing& crossing, PointId scene_point) const {
+  if (unrounded_) return unrounded_->compare(UnroundedImage::Place{crossing.a, crossing.b}, scene_point);
+  return sweep_compare(crossing_point(*scene_, crossing.a, crossing.b), scene_->point(scene_point));
+}
+
+int ImagePoints::compare(const Crossing& a, const Crossing& b) const {
+  if (unrounded_) return unrounded_->compare(UnroundedImage::Place{a.a, a.b}, UnroundedImage::Place{b.a, b.b});
+  return sweep_compare(crossing_point(*scene_, a.a, a.b), crossing_point(*scene_, b.a, b.b));
+}
+
+ExactPlace exact_place(const ProjectedScene& scene, const VisibleSegments& segments, PointId p) {
+  if (p.index() < scene.points.size()) return exact_place(scene, p);
+  if (scene.is_unrounded()) {
+    const Crossing& crossing = segments.crossings[p.index() - scene.points.size()];
+    return UnroundedImage(scene, segments.swap_edges).exact(UnroundedImage::Place{crossing.a, crossing.b});
+  }
+  const ExactPoint on_grid = exact_point(scene, segments, p);
+  return {BigInteger(on_grid.x), BigInteger(on_grid.y),
+          BigInteger(on_grid.denominator) << static_cast<unsigned>(scene.grid_bits)};
 }
 
 ExactPoint exact_point(const ProjectedScene& scene, const VisibleSegments& segments, PointId p) {

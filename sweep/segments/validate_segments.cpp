@@ -2,11 +2,9 @@
 // which facets are one surface (balance of start and end points, no two segments of a surface meet but in end points)
 // is checked per point and per facet here, and per surface in validate(polygons, ...).
 #include <algorithm>
-#include <optional>
 #include <utility>
 
 #include "geometry/numbers/id_names.h"
-#include "sweep/segments/crossing_point.h"
 #include "sweep/segments/edge_sides.h"
 #include "sweep/segments/visible_segments.h"
 
@@ -22,7 +20,8 @@ std::string split_name(std::size_t s) { return "split " + std::to_string(s); }
 // Ranges come first: the other checks need them in order to look at anything.
 Messages check_ranges(const VisibleSegments& segments, const ProjectedScene& scene) {
   Messages messages;
-  const auto is_edge = [&](EdgeId e) { return e.index() < scene.edge_count(); };
+  const auto is_scene_edge = [&](EdgeId e) { return e.index() < scene.edge_count(); };
+  const auto is_edge = [&](EdgeId e) { return e.index() < scene.edge_count() + segments.swap_edges.size(); };
   const auto is_point = [&](PointId p) { return p.index() < scene.points.size() + segments.crossings.size(); };
   const auto is_facet = [&](FacetId f) { return f.index() < scene.status.size(); };
   const auto require = [&](bool holds, const std::string& what) {
@@ -46,34 +45,45 @@ Messages check_ranges(const VisibleSegments& segments, const ProjectedScene& sce
   }
   for (std::size_t s = 0; s < segments.splits.size(); ++s) {
     const EdgeSplit& split = segments.splits[s];
-    require(is_point(split.point) && is_facet(split.facet) && is_edge(split.edge), split_name(s));
+    require(is_point(split.point) && is_facet(split.facet) && is_scene_edge(split.edge), split_name(s));
   }
   return messages;
 }
 
-bool is_between(const CrossingPoint& place, const ProjectedScene& scene, std::size_t after) {
-  return (after == 0 || sweep_compare(place, scene.points[after - 1]) > 0) &&
-         (after == scene.points.size() || sweep_compare(place, scene.points[after]) < 0);
+// Returns whether the ends of b lie strictly on different sides of a. Swap edges have no ends, and cross where they are not
+// parallel.
+bool separates(const EdgeSides& sides, const ProjectedScene& scene, EdgeId a, EdgeId b) {
+  if (sides.is_swap_edge(b)) return sides.turn(a, b) != 0;
+  return sides.side(a, scene.edge(b).top) * sides.side(a, scene.edge(b).bottom) < 0;
+}
+
+bool is_between(const EdgeSides& sides, const Crossing& crossing, std::size_t points) {
+  const std::size_t after = crossing.after.index();
+  return (after == 0 || sides.points().compare(crossing, PointId(after - 1)) > 0) &&
+         (after == points || sides.points().compare(crossing, PointId(after)) < 0);
 }
 
 // A crossing is of two edges that cross strictly inside both, its place among the scene's points is the one it names,
 // and crossings follow each other in sweep order: this is checked exactly, with the scene's points alone. Everything
 // else may rely on it.
 void check_crossings(const VisibleSegments& segments, const ProjectedScene& scene, Messages& messages) {
-  std::optional<CrossingPoint> previous;
+  VisibleSegments lines;
+  lines.swap_edges = segments.swap_edges;
+  const EdgeSides sides(scene, lines);
+  const Crossing* previous = nullptr;
   for (std::size_t c = 0; c < segments.crossings.size(); ++c) {
-    const auto& [a, b, after] = segments.crossings[c];
-    if (!cross_inside_both(scene, a, b)) {
+    const Crossing& crossing = segments.crossings[c];
+    const auto& [a, b, after] = crossing;
+    if (!separates(sides, scene, a, b) || !separates(sides, scene, b, a)) {
       messages.push_back(crossing_name(c) + " is of " + name(a) + " and " + name(b) +
                          ", which do not cross inside both");
       continue;
     }
-    const CrossingPoint place = crossing_point(scene, a, b);
-    if (!is_between(place, scene, after.index()))
+    if (!is_between(sides, crossing, scene.points.size()))
       messages.push_back(crossing_name(c) + " is not where it should be between the scene's points");
-    if (previous && sweep_compare(*previous, place) >= 0)
+    if (previous != nullptr && sides.points().compare(*previous, crossing) >= 0)
       messages.push_back(crossing_name(c) + " does not follow the one before it in sweep order");
-    previous = place;
+    previous = &crossing;
   }
 }
 
@@ -98,21 +108,18 @@ class SegmentCheck {
 
  private:
   [[nodiscard]] const VisibleSegment& segment(SegmentId s) const { return segments_.segments[s.index()]; }
-  [[nodiscard]] SweptLine line(SegmentId s) const { return sides_.line(segment(s).edge); }
+  [[nodiscard]] EdgeId line(SegmentId s) const { return segment(s).edge; }
 
-  [[nodiscard]] bool is_on(EdgeId e, PointId p) const {
-    const SweptLine edge = sides_.line(e);
-    return !sides_.before(p, edge.top) && !sides_.before(edge.bottom, p) && sides_.side(edge, p) == 0;
-  }
   [[nodiscard]] bool is_inside(EdgeId e, PointId p) const {
-    return is_on(e, p) && p != scene_.edge(e).top && p != scene_.edge(e).bottom;
+    return sides_.is_on(e, p) && p != scene_.edge(e).top && p != scene_.edge(e).bottom;
   }
 
   void check_ends(SegmentId s) {
     const VisibleSegment& segment = this->segment(s);
     if (segment.start == segment.end) messages_.push_back(name(s) + " starts where it ends");
     for (const PointId p : {segment.start, segment.end}) {
-      if (!is_on(segment.edge, p)) messages_.push_back(name(s) + ": " + name(p) + " is not on " + name(segment.edge));
+      if (!sides_.is_on(segment.edge, p))
+        messages_.push_back(name(s) + ": " + name(p) + " is not on " + name(segment.edge));
     }
   }
 
@@ -123,9 +130,10 @@ class SegmentCheck {
     for (std::size_t i = 0; i < polygon.size(); ++i) {
       const PointId from = polygon[i].point;
       const PointId to = polygon[i + 1 == polygon.size() ? 0 : i + 1].point;
-      const SweptLine side{std::min(from, to), std::max(from, to)};
-      if (from == to || !sides_.crosses_below(side, p)) continue;
-      const Sign place = sides_.place_beside(side, p, sides_.line(edge));
+      if (from == to) continue;
+      const EdgeId side = sides_.edge_between(std::min(from, to), std::max(from, to));
+      if (!sides_.crosses_below(side, p)) continue;
+      const Sign place = sides_.place_beside(side, p, edge);
       if (place < 0 || (place == 0 && right)) winding += from < to ? 1 : -1;
     }
     return winding;
@@ -146,7 +154,7 @@ class SegmentCheck {
   // Where a segment ends inside an edge of its own facet, that edge is split.
   void check_splits_at_ends(SegmentId s) {
     const VisibleSegment& segment = this->segment(s);
-    for (const EdgeSide& side : scene_.sides_of(segment.edge)) {
+    for (const EdgeSide& side : sides_along(scene_, segment)) {
       if (side.facet != segment.facet) continue;
       for (const PointId p : {segment.start, segment.end}) {
         const EdgeSplit split{side.mesh_edge, side.facet, segment.edge, p};

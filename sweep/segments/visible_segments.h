@@ -18,6 +18,7 @@
 #include "geometry/numbers/export.h"
 #include "geometry/numbers/ids.h"
 #include "geometry/projection/projected_scene.h"
+#include "sweep/segments/swap_edge.h"
 
 namespace sightline::inline sweep {
 
@@ -79,6 +80,7 @@ struct SweepStatistics {
 };
 
 struct VisibleSegments {
+  std::vector<SwapEdge> swap_edges;  // their ids follow those of the scene's edges; none on the grid
   std::vector<Crossing> crossings;
   std::vector<VisibleSegment> segments;  // by the sweep point at which they open, then left to right
   std::vector<Thread> threads;           // by sweep point
@@ -86,7 +88,12 @@ struct VisibleSegments {
   SweepStatistics statistics;
 };
 
-// This is the exact place of a point: (x / denominator, y / denominator) in grid units, denominator > 0.
+// Returns the sides of the segment's edge. A swap edge has none.
+[[nodiscard]] inline std::span<const EdgeSide> sides_along(const ProjectedScene& scene, const VisibleSegment& segment) {
+  return segment.edge.index() < scene.edge_count() ? scene.sides_of(segment.edge) : std::span<const EdgeSide>{};
+}
+
+// This is the exact place of a point of a scene on the grid: (x / denominator, y / denominator) in grid units, denominator > 0.
 struct ExactPoint {
   Wide512 x;
   Wide512 y;

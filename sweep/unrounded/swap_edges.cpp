@@ -10,14 +10,14 @@ EdgeId SwapEdges::between(FacetId f, FacetId g) {
   const auto [first, second] = std::minmax({surface_of(scene_.mesh(), f), surface_of(scene_.mesh(), g)});
   const auto [known, is_new] = known_.try_emplace({first, second});
   if (is_new) {
-    known->second = EdgeId(scene_.scene.edge_count() + edges_.size());
+    known->second = EdgeId(scene_.edge_count() + edges_.size());
     edges_.push_back(made(first, second));
   }
   return known->second;
 }
 
 Sign SwapEdges::nearer_side(EdgeId e, FacetId f) const {
-  const SwapEdge& edge = (*this)[e];
+  const SwapEdge& edge = edges_[e.index() - scene_.edge_count()];
   return surface_of(scene_.mesh(), f) == edge.surfaces[0] ? edge.first_nearer : -edge.first_nearer;
 }
 
@@ -48,7 +48,7 @@ const SwapEdges::Nearness& SwapEdges::nearness(FacetId surface) {
   const auto [known, is_new] = nearness_.try_emplace(surface);
   Nearness& form = known->second;
   if (!is_new) return form;
-  const Camera& camera = scene_.scene.camera;
+  const Camera& camera = scene_.camera;
   const bool perspective = camera.projection == Projection::perspective;
   std::array<ExactCorner, 3> corners;
   std::ranges::transform(plane_corners(scene_.mesh(), surface), corners.begin(),

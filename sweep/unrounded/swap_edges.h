@@ -1,4 +1,4 @@
-// Swap edges: the lines of the image along which two surfaces that pass through each other change places.
+// The swap edges of a scene, as they are asked for.
 //
 // In:  an unrounded scene; pairs of facets, as somebody asks for them.
 // Out: per pair of surfaces a line, directed downwards like an edge of the scene, and which of both is nearer on its right.
@@ -7,35 +7,23 @@
 //      homogeneous place (x, y, w), found from three corners. Where two forms are equal, the planes meet; so the line is the
 //      difference of the forms, and its sign says who is nearer.
 // Complexity: O(1) per pair, in integers of any size, once.
-// Source: docs/design.md, section 9.
+// Source: docs/unrounded.md.
 #pragma once
 
 #include <array>
 #include <map>
 #include <vector>
 
-#include "sweep/unrounded/unrounded_scene.h"
+#include "sweep/segments/swap_edge.h"
 
 namespace sightline::inline sweep {
 
-struct SwapEdge {
-  std::array<FacetId, 2> surfaces;  // smaller id first (facet_plane.h)
-  ExactLine line;
-  double a = 0, b = 0, c = 0;  // the line with its largest coefficient 1, each off by at most 2^-53
-  Sign first_nearer = 0;       // +1 where the first surface is nearer on the right of the line
-  // False where the planes meet in the camera's own plane, which the image does not show: then first_nearer is said of all of
-  // the image.
-  bool is_seen = true;
-};
-
 class SwapEdges {
  public:
-  explicit SwapEdges(const UnroundedScene& scene) : scene_(scene) {}
+  explicit SwapEdges(const ProjectedScene& scene) : scene_(scene) {}
 
-  // Ids follow those of the scene's edges.
-  [[nodiscard]] bool is_one(EdgeId e) const { return e.index() >= scene_.scene.edge_count(); }
-  [[nodiscard]] const SwapEdge& operator[](EdgeId e) const { return edges_[e.index() - scene_.scene.edge_count()]; }
-  [[nodiscard]] std::size_t size() const { return edges_.size(); }
+  // By their ids, which follow those of the scene's edges.
+  [[nodiscard]] const std::vector<SwapEdge>& all() const { return edges_; }
 
   // Returns the edge of two facets' surfaces. Precondition: these pass through each other.
   [[nodiscard]] EdgeId between(FacetId f, FacetId g);
@@ -52,7 +40,7 @@ class SwapEdges {
   [[nodiscard]] const Nearness& nearness(FacetId surface);
   [[nodiscard]] SwapEdge made(FacetId f, FacetId g);
 
-  const UnroundedScene& scene_;
+  const ProjectedScene& scene_;
   std::vector<SwapEdge> edges_;
   std::map<std::array<FacetId, 2>, EdgeId> known_;
   std::map<FacetId, Nearness> nearness_;

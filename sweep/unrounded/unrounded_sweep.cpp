@@ -5,28 +5,13 @@
 
 namespace sightline::inline sweep {
 
-UnroundedDecider::Place UnroundedSegments::crossing(PointId p) const {
-  const Crossing& crossing = segments.crossings[p.index() - vertex_count];
-  return {crossing.a, crossing.b};
-}
-
-ExactPlace UnroundedSegments::exact(PointId p) const {
-  return p.index() < vertex_count ? decider->exact(p) : decider->exact(crossing(p));
-}
-
-std::array<double, 2> UnroundedSegments::in_window(PointId p) const {
-  return p.index() < vertex_count ? decider->in_window(p) : decider->in_window(crossing(p));
-}
-
-const CertifiedPlace& UnroundedSegments::certified(PointId p) const {
-  return p.index() < vertex_count ? decider->certified(p) : decider->certified(crossing(p));
-}
-
-UnroundedSegments unrounded_sweep(const UnroundedScene& scene) {
-  UnroundedSegments result{{}, std::make_unique<UnroundedDecider>(scene), scene.places.size()};
-  const std::vector<DepthRange> depths = depth_ranges(scene.scene);
-  result.segments = Sweep(scene.scene, *result.decider, depths, nullptr).run();
-  return result;
+VisibleSegments unrounded_sweep(const ProjectedScene& scene, std::span<const DepthRange> depths,
+                                SweepObserver* observer, UnroundedCounts* counts) {
+  const UnroundedDecider decider(scene);
+  VisibleSegments segments = Sweep(scene, decider, depths, observer).run();
+  segments.swap_edges = decider.swap_edges();
+  if (counts != nullptr) *counts = decider.counts();
+  return segments;
 }
 
 }  // namespace sightline::inline sweep

@@ -263,7 +263,7 @@ void misstate_area(Stages& s) {
   const ImagePoints points(s.scene, s.segments);
   for (const std::size_t r : {std::size_t{1}, std::size_t{2}})
     measured += measure(points, s.segments, s.polygons.ring(r));
-  s.polygons.polygons[wall_right].area += std::ldexp(0.75 * measured.twice_area.radius, -2 * s.scene.grid_bits);
+  s.polygons.polygons[wall_right].area += 0.75 * measured.twice_area.radius;
 }
 
 // The patch becomes a part of the wall: its ring runs along the hole's.

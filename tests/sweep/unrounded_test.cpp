@@ -19,6 +19,7 @@
 #include "tests/tools/model_shots.h"
 #include "tests/tools/polygon_mesh.h"
 #include "tests/tools/unrounded_areas.h"
+#include "tests/tools/unrounded_scenes.h"
 
 namespace sightline::tests::unrounded_test {
 namespace {
@@ -26,25 +27,6 @@ namespace {
 using lattice::RandomScene;
 
 constexpr std::uint64_t first_seed = 1;
-
-enum class Moved { not_at_all, turned, by_last_bits };
-
-// A small turn leaves nothing on the lattice; a last bit leaves everything nearly on it.
-Mesh moved(const RandomScene& scene, Moved how) {
-  std::mt19937_64 random(scene.seed);
-  std::uniform_real_distribution<double> angle(-0.02, 0.02);
-  const Eigen::Matrix3d turn = (Eigen::AngleAxisd(angle(random), Vector3(1, 2, 3).normalized()) *
-                                Eigen::AngleAxisd(angle(random), Vector3(-2, 1, 1).normalized()))
-                                   .toRotationMatrix();
-  RandomScene result = scene;
-  for (Point3& p : result.vertices) {
-    if (how == Moved::turned) p = Point3(turn * p);
-    for (Eigen::Index i = 0; i < 3 && how == Moved::by_last_bits; ++i) {
-      if (random() % 3 == 0) p[i] = std::nextafter(p[i], random() % 2 == 0 ? 1e9 : -1e9);
-    }
-  }
-  return mesh_of(result);
-}
 
 struct Tally {
   std::size_t scenes = 0;
@@ -61,26 +43,6 @@ void hold_to_truth(const Mesh& mesh, const Camera& camera, Sides sides, Tally& t
   tally.exact_sides += seen.counts.exact_sides;
 }
 
-// Triangles and quadrangles with corners on a grid of 5 x 5 x 5 points, seen from such a point further out: corners on edges,
-// edges on edges, faces in one plane, through each other's corners and edges, and seen edge-on are the rule.
-Mesh few_points_soup(std::mt19937_64& random) {
-  const auto place = [&random] { return static_cast<double>(random() % 5) - 2; };
-  std::vector<Corners> faces(4 + random() % 5);
-  for (Corners& face : faces) {
-    face = {{place(), place(), place()}, {place(), place(), place()}, {place(), place(), place()}};
-    if (random() % 4 == 0) face.push_back(face[0] + face[2] - face[1]);
-  }
-  return mesh_of(faces);
-}
-
-Camera on_grid_camera(std::mt19937_64& random) {
-  const auto place = [&random] { return static_cast<double>(random() % 9) - 4; };
-  ViewPoint view;
-  view.eye = {place(), place(), random() % 2 == 0 ? 5.0 : 2.0};
-  view.target = {place() / 4, place() / 4, -1};
-  return random() % 3 == 0 ? orthographic_camera("grid", view, 6) : perspective_camera("grid", view, 90);
-}
-
 // Per face the area in the window, as doubles have it.
 std::vector<double> window_areas(const CutMesh& mesh, const VisibleSegments& segments, const auto& in_window) {
   std::vector<double> areas(mesh.face_count(), 0);
@@ -93,10 +55,12 @@ std::vector<double> window_areas(const CutMesh& mesh, const VisibleSegments& seg
 }
 
 std::vector<double> areas_without_rounding(const Mesh& mesh, const Shot& shot) {
-  const auto surface = std::make_shared<const CutMesh>(uncrossed(mesh));
-  const UnroundedScene scene = project_unrounded(surface, shot.camera, shot.sides);
-  const UnroundedSegments found = unrounded_sweep(scene);
-  return window_areas(*surface, found.segments, [&](PointId p) { return found.in_window(p); });
+  const UnroundedView view = unrounded_view(mesh, shot.camera, shot.sides);
+  const ImagePoints points(view.scene, view.segments);
+  return window_areas(view.scene.mesh(), view.segments, [&](PointId p) {
+    const CertifiedPlace place = points.certified(p);
+    return std::array{place.x, place.y};
+  });
 }
 
 std::vector<double> areas_on_grid(const Mesh& mesh, const Shot& shot) {
@@ -176,17 +140,15 @@ TEST_CASE("without rounding the visible polygons have the areas that their segme
     CAPTURE(seed);
     const RandomScene random = seed % 2 == 0 ? lattice::random_scene(seed) : lattice::crossing_scene(seed);
     const Mesh mesh = mesh_of(random);
-    const auto surface = std::make_shared<const CutMesh>(uncrossed(mesh));
-    const UnroundedScene scene = project_unrounded(surface, random.camera, random.sides);
-    const UnroundedSegments found = unrounded_sweep(scene);
-    const VisiblePolygons polygons = reconstruct_polygons(scene, found);
+    const UnroundedView view = unrounded_view(mesh, random.camera, random.sides);
+    const VisiblePolygons polygons = reconstruct_polygons(view.scene, view.segments);
     std::vector<double> areas(mesh.face_count(), 0);
     for (const VisiblePolygon& p : polygons.polygons) areas[p.face.index()] += p.area;
     const UnroundedAreas exact = unrounded_areas(mesh, random.camera, random.sides);
     for (std::size_t f = 0; f < areas.size(); ++f)
       CHECK(std::fabs(areas[f] - exact.of_face[f].convert_to<double>()) <= 1e-13);
     if (seed % 2 == 0) {
-      const ProjectedScene on_grid = project(surface, random.camera, random.sides);
+      const ProjectedScene on_grid = project(uncrossed(mesh), random.camera, random.sides);
       const VisiblePolygons expected = reconstruct_polygons(on_grid, plain_sweep(on_grid));
       CHECK(polygons.polygons.size() == expected.polygons.size());
       CHECK(polygons.ring_count() == expected.ring_count());

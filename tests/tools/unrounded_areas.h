@@ -9,6 +9,15 @@
 
 namespace sightline::tests {
 
+struct UnroundedView {
+  ProjectedScene scene;
+  VisibleSegments segments;
+  UnroundedCounts counts;
+};
+
+// The mesh is not cut.
+[[nodiscard]] UnroundedView unrounded_view(const Mesh& mesh, const Camera& camera, Sides sides);
+
 struct UnroundedAreas {
   std::vector<boost::multiprecision::cpp_rational> of_face;  // in window units squared
   std::size_t along_swaps = 0;                               // segments along swap edges

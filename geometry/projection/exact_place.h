@@ -4,7 +4,7 @@
 #include "geometry/numbers/exact_integer.h"
 #include "geometry/projection/clipping.h"
 
-namespace sightline::inline sweep {
+namespace sightline::inline geometry {
 
 // The true place is within the radius in each coordinate, in the window's units.
 struct CertifiedPlace {
@@ -43,4 +43,4 @@ struct ExactLine {
 // Returns the place with each coordinate rounded once.
 [[nodiscard]] CertifiedPlace certified(const ExactPlace& place);
 
-}  // namespace sightline::inline sweep
+}  // namespace sightline::inline geometry

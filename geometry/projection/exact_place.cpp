@@ -1,9 +1,9 @@
-#include "sweep/unrounded/exact_place.h"
+#include "geometry/projection/exact_place.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace sightline::inline sweep {
+namespace sightline::inline geometry {
 
 ExactPlace place_of(const ExactCorner& corner) { return {corner.x, corner.y, corner.w}; }
 
@@ -38,4 +38,4 @@ CertifiedPlace certified(const ExactPlace& place) {
   return {x, y, 0x1p-53 * std::max({1.0, std::fabs(x), std::fabs(y)})};
 }
 
-}  // namespace sightline::inline sweep
+}  // namespace sightline::inline geometry

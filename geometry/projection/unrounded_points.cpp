@@ -1,4 +1,4 @@
-#include "sweep/unrounded/unrounded_scene.h"
+#include "geometry/projection/unrounded_points.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,50 +7,44 @@
 
 #include "geometry/numbers/bounded.h"
 #include "geometry/projection/camera_forms.h"
-#include "geometry/projection/scene_edges.h"
 
-namespace sightline::inline sweep {
+namespace sightline::inline geometry {
+namespace {
 
-class UnroundedBuilder {
+class PointNumbering {
  public:
-  UnroundedBuilder(std::shared_ptr<const CutMesh> mesh, const Camera& camera, Sides sides) : forms_(camera) {
-    result_.scene = project(std::move(mesh), camera, sides);
-  }
+  explicit PointNumbering(ProjectedScene& scene) : scene_(scene), forms_(scene.camera) {}
 
-  UnroundedScene build() {
+  void run() {
     find_places_of_vertices();
     find_places_of_made_corners();
     number_points();
-    result_.scene.edges.clear();
-    result_.scene.sides.clear();
-    collect_edges(result_.scene);
-    return std::move(result_);
   }
 
  private:
   // A place before points are numbered, with whose it is.
   struct Found {
     CertifiedPlace certified;
-    UnroundedScene::Source source;
+    UnroundedPoints::Source source;
     std::optional<ExactPlace> exact;  // once somebody asked
   };
 
-  [[nodiscard]] VertexId welded(VertexId v) const { return result_.mesh().weld[v.index()]; }
+  [[nodiscard]] VertexId welded(VertexId v) const { return scene_.mesh().weld[v.index()]; }
 
   // Vertices at one position have one place.
   void find_places_of_vertices() {
-    std::vector<std::uint8_t> in_view(result_.mesh().vertices.size(), 0);
-    for (const ClippedCorner& corner : result_.scene.polygon_corners) {
+    std::vector<std::uint8_t> in_view(scene_.mesh().vertices.size(), 0);
+    for (const ClippedCorner& corner : scene_.polygon_corners) {
       if (corner.vertex.valid()) in_view[welded(corner.vertex).index()] = 1;
     }
     for (std::size_t v = 0; v < in_view.size(); ++v) {
-      if (in_view[v] != 0) found_.push_back({certified_place(VertexId(v)), {VertexId(v), 0}, {}});
+      if (in_view[v] != 0) found_.push_back({certified_place(VertexId(v)), {VertexId(v), {}}, {}});
     }
   }
 
   [[nodiscard]] CertifiedPlace certified_place(VertexId v) const {
-    if (v.index() < result_.mesh().input_vertex_count()) {
-      const CameraPlace<Bounded> place = forms_.at(bounded(result_.mesh().position(v)));
+    if (v.index() < scene_.mesh().input_vertex_count()) {
+      const CameraPlace<Bounded> place = forms_.at(bounded(scene_.mesh().position(v)));
       const Bounded x = place.x / place.w;
       const Bounded y = place.y / place.w;
       if (x.radius < largest_radius && y.radius < largest_radius)
@@ -60,12 +54,12 @@ class UnroundedBuilder {
   }
 
   [[nodiscard]] ExactPlace place_of_vertex(VertexId v) const {
-    return place_of(exact_corner(result_.mesh(), v, result_.scene.camera));
+    return place_of(exact_corner(scene_.mesh(), v, scene_.camera));
   }
 
   void find_places_of_made_corners() {
-    const ProjectedScene& scene = result_.scene;
-    result_.made_.resize(scene.made_corners.size());
+    const ProjectedScene& scene = scene_;
+    scene_.unrounded.made.resize(scene.made_corners.size());
     for (std::size_t f = 0; f < scene.status.size(); ++f) {
       const auto polygon = scene.polygon(FacetId(f));
       const auto is_made = [](const ClippedCorner& corner) { return corner.made.valid(); };
@@ -74,8 +68,8 @@ class UnroundedBuilder {
       for (std::size_t i = 0; i < polygon.size(); ++i) {
         if (!is_made(polygon[i])) continue;
         const ExactPlace place = place_of(clipped[i]);
-        result_.made_[polygon[i].made.index()] = place;
-        found_.push_back({certified(place), {{}, polygon[i].made.value}, place});
+        scene_.unrounded.made[polygon[i].made.index()] = place;
+        found_.push_back({certified(place), {{}, polygon[i].made}, place});
       }
     }
   }
@@ -99,14 +93,13 @@ class UnroundedBuilder {
     std::vector<std::uint32_t> order(found_.size());
     std::iota(order.begin(), order.end(), 0U);
     std::sort(order.begin(), order.end(), [this](std::uint32_t a, std::uint32_t b) { return compare(a, b) < 0; });
-    ProjectedScene& scene = result_.scene;
-    scene.points.clear();
+    ProjectedScene& scene = scene_;
     std::vector<PointId> of_vertex(scene.mesh().vertices.size());
     std::vector<PointId> of_made(scene.made_corners.size());
     for (std::size_t i = 0; i < order.size(); ++i) {
       if (i == 0 || compare(order[i - 1], order[i]) != 0) add_point(found_[order[i]]);
-      const UnroundedScene::Source& source = found_[order[i]].source;
-      (source.vertex.valid() ? of_vertex[source.vertex.index()] : of_made[source.made]) =
+      const UnroundedPoints::Source& source = found_[order[i]].source;
+      (source.vertex.valid() ? of_vertex[source.vertex.index()] : of_made[source.made.index()]) =
           PointId(scene.points.size() - 1);
     }
     for (ClippedCorner& corner : scene.polygon_corners)
@@ -114,24 +107,29 @@ class UnroundedBuilder {
   }
 
   void add_point(const Found& found) {
-    const auto on_grid = [this](double value) { return std::llround(std::ldexp(value, result_.scene.grid_bits)); };
-    result_.scene.points.push_back({on_grid(found.certified.x), on_grid(found.certified.y)});
-    result_.places.push_back(found.certified);
-    result_.sources_.push_back(found.source);
+    const auto on_grid = [this](double value) { return std::llround(std::ldexp(value, scene_.grid_bits)); };
+    scene_.points.push_back({on_grid(found.certified.x), on_grid(found.certified.y)});
+    scene_.unrounded.places.push_back(found.certified);
+    scene_.unrounded.sources.push_back(found.source);
   }
 
+  ProjectedScene& scene_;
   const CameraForms<Bounded> forms_;
   std::vector<Found> found_;
-  UnroundedScene result_;
 };
 
-ExactPlace UnroundedScene::exact(PointId p) const {
-  const Source& source = sources_[p.index()];
-  return source.vertex.valid() ? place_of(exact_corner(mesh(), source.vertex, scene.camera)) : made_[source.made];
+}  // namespace
+
+void number_unrounded_points(ProjectedScene& scene) { PointNumbering(scene).run(); }
+
+ExactPlace exact_place(const ProjectedScene& scene, PointId p) {
+  if (!scene.is_unrounded()) {
+    const ImagePoint& point = scene.point(p);
+    return {point.x, point.y, BigInteger(1) << static_cast<unsigned>(scene.grid_bits)};
+  }
+  const UnroundedPoints::Source& source = scene.unrounded.sources[p.index()];
+  if (!source.vertex.valid()) return scene.unrounded.made[source.made.index()];
+  return place_of(exact_corner(scene.mesh(), source.vertex, scene.camera));
 }
 
-UnroundedScene project_unrounded(std::shared_ptr<const CutMesh> mesh, const Camera& camera, Sides sides) {
-  return UnroundedBuilder(std::move(mesh), camera, sides).build();
-}
-
-}  // namespace sightline::inline sweep
+}  // namespace sightline::inline geometry

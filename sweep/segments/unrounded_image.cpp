@@ -1,0 +1,136 @@
+#include "sweep/segments/unrounded_image.h"
+
+#include <algorithm>
+
+#include "geometry/projection/unrounded_points.h"
+
+namespace sightline::inline sweep {
+namespace {
+
+std::uint64_t key(std::uint32_t a, std::uint32_t b) { return std::uint64_t{a} << 32 | b; }
+
+}  // namespace
+
+UnroundedImage::UnroundedImage(const ProjectedScene& scene, const std::vector<SwapEdge>& swap_edges)
+    : scene_(scene), edge_count_(scene.edge_count()), swap_edges_(swap_edges), memory_(std::make_unique<Memory>()) {}
+
+void UnroundedImage::expect_many_questions() {
+  directions_.reserve(edge_count_);
+  for (std::size_t e = 0; e < edge_count_; ++e) directions_.push_back(computed_direction(EdgeId(e)));
+}
+
+UnroundedImage::Way UnroundedImage::computed_direction(EdgeId e) const {
+  if (is_swap_edge(e)) return {swap_edge(e).b, -swap_edge(e).a, unit_roundoff};
+  return way(top(e), certified(edge(e).bottom));
+}
+
+Sign UnroundedImage::side(EdgeId e, const Place& place) const {
+  if (place.a == e || place.b == e) return 0;
+  const CertifiedPlace near = certified(place);
+  const auto sign = certain_sign(is_swap_edge(e) ? swap_side(e, near) : determinant(direction(e), way(top(e), near)));
+  if (sign) return *sign;
+  const std::lock_guard lock(memory_->lock);
+  ++memory_->counts.exact_sides;
+  return geometry::side(line(e), meeting(place));
+}
+
+Sign UnroundedImage::exact_side(EdgeId e, PointId p) const {
+  const std::lock_guard lock(memory_->lock);
+  const auto [known, is_new] = memory_->sides.try_emplace(key(e.value, p.value));
+  if (is_new) {
+    ++memory_->counts.exact_sides;
+    known->second = geometry::side(line(e), known_exact(p));
+  }
+  return known->second;
+}
+
+Sign UnroundedImage::exact_turn(EdgeId a, EdgeId b) const {
+  const std::lock_guard lock(memory_->lock);
+  const auto [known, is_new] = memory_->turns.try_emplace(key(a.value, b.value));
+  if (is_new) {
+    ++memory_->counts.exact_turns;
+    known->second = geometry::turn(line(a), line(b));
+  }
+  return known->second;
+}
+
+Bounded UnroundedImage::height(EdgeId a, EdgeId b) const {
+  if (!is_swap_edge(a) && !is_swap_edge(b)) {
+    const Way d = direction(a);
+    return Bounded(top(a).y, top(a).radius) + share_along(a, b) * Bounded(d.y, d.radius);
+  }
+  const CertifiedPlace place = certified(Place{a, b});
+  return {place.y, place.radius};
+}
+
+// The crossing is at a's top + s d with s = ((b's top - a's top) x e) / (d x e), d and e being the edges' ways. Nothing is
+// known where these may be parallel.
+Bounded UnroundedImage::share_along(EdgeId a, EdgeId b) const {
+  const Way e = direction(b);
+  return determinant(way(top(a), top(b)), e) / determinant(direction(a), e);
+}
+
+CertifiedPlace UnroundedImage::filtered_place(const Place& place) const {
+  const Way d = direction(place.a);
+  const Bounded share = share_along(place.a, place.b);
+  const Bounded x = Bounded(top(place.a).x, top(place.a).radius) + share * Bounded(d.x, d.radius);
+  const Bounded y = Bounded(top(place.a).y, top(place.a).radius) + share * Bounded(d.y, d.radius);
+  return {x.value, y.value, std::max(x.radius, y.radius)};
+}
+
+CertifiedPlace UnroundedImage::certified(const Place& place) const {
+  if (!is_swap_edge(place.a) && !is_swap_edge(place.b)) {
+    const CertifiedPlace filtered = filtered_place(place);
+    if (filtered.radius < largest_radius) return filtered;
+  }
+  const std::lock_guard lock(memory_->lock);
+  const auto [known, is_new] = memory_->crossings.try_emplace(key(place.a.value, place.b.value));
+  if (is_new) known->second = geometry::certified(meeting(place));
+  return known->second;
+}
+
+int UnroundedImage::compare(const Place& a, PointId p) const {
+  const int by_height = compare_heights(height(a.a, a.b), height(p));
+  if (by_height != 0) return by_height;
+  const std::lock_guard lock(memory_->lock);
+  ++memory_->counts.exact_orders;
+  return sweep_compare(meeting(a), known_exact(p));
+}
+
+int UnroundedImage::compare(const Place& a, const Place& b) const {
+  const int by_height = compare_heights(height(a.a, a.b), height(b.a, b.b));
+  if (by_height != 0) return by_height;
+  const std::lock_guard lock(memory_->lock);
+  ++memory_->counts.exact_orders;
+  return sweep_compare(meeting(a), meeting(b));
+}
+
+ExactPlace UnroundedImage::exact(PointId p) const {
+  const std::lock_guard lock(memory_->lock);
+  return known_exact(p);
+}
+
+ExactPlace UnroundedImage::exact(const Place& place) const {
+  const std::lock_guard lock(memory_->lock);
+  return meeting(place);
+}
+
+UnroundedCounts UnroundedImage::counts() const {
+  const std::lock_guard lock(memory_->lock);
+  return memory_->counts;
+}
+
+const ExactPlace& UnroundedImage::known_exact(PointId p) const {
+  const auto [known, is_new] = memory_->places.try_emplace(p.value);
+  if (is_new) known->second = exact_place(scene_, p);
+  return known->second;
+}
+
+const ExactLine& UnroundedImage::line(EdgeId e) const {
+  if (is_swap_edge(e)) return swap_edge(e).line;
+  const auto [known, is_new] = memory_->lines.try_emplace(e.value);
+  if (is_new) known->second = line_through(known_exact(edge(e).top), known_exact(edge(e).bottom));
+  return known->second;
+}
+
+}  // namespace sightline::inline sweep
