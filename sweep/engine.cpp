@@ -61,7 +61,10 @@ VisibleSegments swept_band(const SceneInCells& in, std::span<const FacetId> face
   const ScenePart part = part_of(in.scene, in.continuation, facets);
   observers.expect(part.point.size());
   BandObservers::Band observer(observers, part);
-  return in_whole(in.scene, part, plain_sweep(part.scene, in.depths, observers.is_watched() ? &observer : nullptr));
+  SweepObserver* const watched = observers.is_watched() ? &observer : nullptr;
+  return in_whole(in.scene, part,
+                  part.scene.is_unrounded() ? unrounded_sweep(part.scene, in.depths, watched)
+                                            : plain_sweep(part.scene, in.depths, watched));
 }
 
 std::vector<VisibleSegments> swept_bands(const SceneInCells& in, const Bands& bands, SweepObserver* observer) {
@@ -80,7 +83,7 @@ VisibleSegments sweep_everything(const ProjectedScene& scene, SweepObserver* obs
 
 VisibleSegments fast_visible_segments(const ProjectedScene& scene, const FastOptions& options,
                                       SweepObserver* observer) {
-  if (scene.arithmetic != Arithmetic::exact) return sweep_everything(scene, observer);
+  if (!is_exact(scene.arithmetic)) return sweep_everything(scene, observer);
   const SceneInCells in(scene, options.level);
   const Covers covers = find_covers(in);
   const std::vector<Role> roles = find_roles(in, covers);

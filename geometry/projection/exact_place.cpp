@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/numbers/bounded.h"
+
 namespace sightline::inline geometry {
 
 ExactPlace place_of(const ExactCorner& corner) { return {corner.x, corner.y, corner.w}; }
@@ -30,6 +32,17 @@ ExactPlace meeting_place(const ExactLine& a, const ExactLine& b) {
   const BigInteger y = a.c * b.a - a.a * b.c;
   return w > 0 ? ExactPlace{x, y, w} : ExactPlace{-x, -y, -w};
 }
+
+// A difference of two coordinates is off by both radii, and rounds; the rest is Bounded's.
+std::optional<Sign> certain_orientation(const CertifiedPlace& a, const CertifiedPlace& b, const CertifiedPlace& c) {
+  const Bounded ux = Bounded(b.x, b.radius) - Bounded(a.x, a.radius);
+  const Bounded uy = Bounded(b.y, b.radius) - Bounded(a.y, a.radius);
+  const Bounded vx = Bounded(c.x, c.radius) - Bounded(a.x, a.radius);
+  const Bounded vy = Bounded(c.y, c.radius) - Bounded(a.y, a.radius);
+  return certain_sign(ux * vy - uy * vx);
+}
+
+Sign orientation(const ExactPlace& a, const ExactPlace& b, const ExactPlace& c) { return side(line_through(a, b), c); }
 
 // A quotient below 1 is off by at most 2^-54, and every other one by 2^-53 of itself.
 CertifiedPlace certified(const ExactPlace& place) {

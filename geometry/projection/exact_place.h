@@ -1,6 +1,8 @@
 // Places and lines of the image that are not rounded: places known in double up to a radius, and both exactly.
 #pragma once
 
+#include <optional>
+
 #include "geometry/numbers/exact_integer.h"
 #include "geometry/projection/clipping.h"
 
@@ -39,6 +41,11 @@ struct ExactLine {
 [[nodiscard]] Sign turn(const ExactLine& a, const ExactLine& b);
 // Precondition: the lines are not parallel.
 [[nodiscard]] ExactPlace meeting_place(const ExactLine& a, const ExactLine& b);
+
+// These return +1 where a, b, c turn counter-clockwise; the first nothing where their radii leave that open.
+[[nodiscard]] std::optional<Sign> certain_orientation(const CertifiedPlace& a, const CertifiedPlace& b,
+                                                      const CertifiedPlace& c);
+[[nodiscard]] Sign orientation(const ExactPlace& a, const ExactPlace& b, const ExactPlace& c);
 
 // Returns the place with each coordinate rounded once.
 [[nodiscard]] CertifiedPlace certified(const ExactPlace& place);

@@ -90,7 +90,7 @@ struct UnroundedPoints {
   };
   std::vector<CertifiedPlace> places;  // per point
   std::vector<Source> sources;         // per point
-  std::vector<ExactPlace> made;        // per made corner
+  std::shared_ptr<const std::vector<ExactPlace>> made;  // per made corner of what was projected
 };
 
 struct ProjectedScene {

@@ -59,7 +59,7 @@ class PointNumbering {
 
   void find_places_of_made_corners() {
     const ProjectedScene& scene = scene_;
-    scene_.unrounded.made.resize(scene.made_corners.size());
+    std::vector<ExactPlace> made(scene.made_corners.size());
     for (std::size_t f = 0; f < scene.status.size(); ++f) {
       const auto polygon = scene.polygon(FacetId(f));
       const auto is_made = [](const ClippedCorner& corner) { return corner.made.valid(); };
@@ -68,10 +68,11 @@ class PointNumbering {
       for (std::size_t i = 0; i < polygon.size(); ++i) {
         if (!is_made(polygon[i])) continue;
         const ExactPlace place = place_of(clipped[i]);
-        scene_.unrounded.made[polygon[i].made.index()] = place;
+        made[polygon[i].made.index()] = place;
         found_.push_back({certified(place), {{}, polygon[i].made}, place});
       }
     }
+    scene_.unrounded.made = std::make_shared<const std::vector<ExactPlace>>(std::move(made));
   }
 
   const ExactPlace& exact(Found& place) const {
@@ -128,7 +129,7 @@ ExactPlace exact_place(const ProjectedScene& scene, PointId p) {
     return {point.x, point.y, BigInteger(1) << static_cast<unsigned>(scene.grid_bits)};
   }
   const UnroundedPoints::Source& source = scene.unrounded.sources[p.index()];
-  if (!source.vertex.valid()) return scene.unrounded.made[source.made.index()];
+  if (!source.vertex.valid()) return (*scene.unrounded.made)[source.made.index()];
   return place_of(exact_corner(scene.mesh(), source.vertex, scene.camera));
 }
 

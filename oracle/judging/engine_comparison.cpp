@@ -9,6 +9,7 @@ namespace {
 
 auto as_tuple(const Crossing& c) { return std::tuple(c.a, c.b, c.after); }
 auto as_tuple(const VisibleSegment& s) { return std::tuple(s.start, s.end, s.facet, s.other, s.edge); }
+auto as_tuple(const SwapEdge& e) { return std::tuple(e.surfaces, e.first_nearer); }
 auto as_tuple(const Thread& t) { return std::tuple(t.top, t.facet, t.segment); }
 
 // Returns where two lists begin to differ; empty where they do not.
@@ -23,6 +24,7 @@ std::string difference(const char* what, const std::vector<Item>& a, const std::
 std::string difference(const VisibleSegments& fast, const VisibleSegments& full) {
   return difference("crossings", fast.crossings, full.crossings) +
          difference("segments", fast.segments, full.segments) + difference("threads", fast.threads, full.threads) +
+         difference("swap edges", fast.swap_edges, full.swap_edges) +
          (fast.splits == full.splits ? "" : "splits differ");
 }
 

@@ -3,45 +3,77 @@
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
+#include <array>
 #include <span>
 #include <tuple>
 #include <utility>
 
 #include "geometry/numbers/parallel.h"
 #include "geometry/numbers/sort_few.h"
-#include "sweep/segments/crossing_point.h"
-#include "sweep/segments/image_decisions.h"
+#include "sweep/segments/crossing_order.h"
+#include "sweep/segments/image_points.h"
 
 namespace sightline::inline sweep {
 namespace {
 
-struct Placed {
-  Crossing crossing;
-  CrossingPoint place;
-};
-
-std::vector<Placed> in_sweep_order(const ProjectedScene& scene, const std::vector<Crossing>& crossings) {
-  std::vector<Placed> all(crossings.size());
-  parallel_for_each(all.size(), [&](std::size_t i) {
-    all[i] = {crossings[i], crossing_point(scene, crossings[i].a, crossings[i].b)};
+// Crossings of the same edges are one, and need no arithmetic.
+void sort_by_place(const ProjectedScene& scene, const std::vector<SwapEdge>& swap_edges,
+                   std::vector<Crossing>& crossings) {
+  const CrossingOrder order(scene, swap_edges);
+  tbb::parallel_sort(crossings.begin(), crossings.end(), [&](const Crossing& x, const Crossing& y) {
+    if (x.after != y.after) return x.after < y.after;
+    return (x.a != y.a || x.b != y.b) && order.compare(x, y) < 0;
   });
-  tbb::parallel_sort(all.begin(), all.end(), [](const Placed& x, const Placed& y) {
-    if (x.crossing.after != y.crossing.after) return x.crossing.after < y.crossing.after;
-    return sweep_compare(x.place, y.place) < 0;
-  });
-  return all;
 }
+
+// The swap edges that several bands have found stand here once each, by their surfaces, and so in the same order whatever the
+// bands are.
+class JoinedSwapEdges {
+ public:
+  // `used` says per band and swap edge of it whether the whole needs it.
+  JoinedSwapEdges(const std::vector<VisibleSegments>& bands, const std::vector<std::vector<std::uint8_t>>& used) {
+    for (std::size_t band = 0; band < bands.size(); ++band) {
+      own_.emplace_back();
+      for (std::size_t i = 0; i < bands[band].swap_edges.size(); ++i) {
+        const SwapEdge& edge = bands[band].swap_edges[i];
+        own_.back().push_back(edge.surfaces);
+        if (used[band][i] != 0) all_.push_back(edge);
+      }
+    }
+    std::ranges::sort(all_, {}, &SwapEdge::surfaces);
+    const auto repeated = std::ranges::unique(all_, {}, &SwapEdge::surfaces);
+    all_.erase(repeated.begin(), repeated.end());
+  }
+
+  // Returns, per swap edge of the band, its number among all; any number where it is not used.
+  [[nodiscard]] std::vector<std::size_t> numbers(std::size_t band) const {
+    std::vector<std::size_t> result;
+    for (const auto& surfaces : own_[band]) {
+      const auto found = std::ranges::lower_bound(all_, surfaces, {}, &SwapEdge::surfaces);
+      result.push_back(static_cast<std::size_t>(found - all_.begin()));
+    }
+    return result;
+  }
+  [[nodiscard]] const std::vector<SwapEdge>& all() const { return all_; }
+
+ private:
+  using Surfaces = std::array<FacetId, 2>;
+  std::vector<SwapEdge> all_;
+  std::vector<std::vector<Surfaces>> own_;  // per band
+};
 
 // The crossings that several bands have found stand here once each, in sweep order, with their names among the whole's
 // points. Where several bands name a crossing, they give it the same name (segment_recorder.h).
 class JoinedCrossings {
  public:
-  JoinedCrossings(const ProjectedScene& scene, const std::vector<Crossing>& crossings)
+  JoinedCrossings(const ProjectedScene& scene, const std::vector<SwapEdge>& swap_edges,
+                  std::vector<Crossing> crossings)
       : vertices_(scene.points.size()) {
-    for (const Placed& p : in_sweep_order(scene, crossings)) {
-      if (!crossings_.empty() && key_of(crossings_.back()) == key_of(p.crossing)) continue;
-      index_.emplace_back(key_of(p.crossing), crossings_.size());
-      crossings_.push_back(p.crossing);
+    sort_by_place(scene, swap_edges, crossings);
+    for (const Crossing& c : crossings) {
+      if (!crossings_.empty() && key_of(crossings_.back()) == key_of(c)) continue;
+      index_.emplace_back(key_of(c), crossings_.size());
+      crossings_.push_back(c);
     }
     tbb::parallel_sort(index_.begin(), index_.end());
   }
@@ -77,8 +109,13 @@ struct Opening {
 class OpeningFinder {
  public:
   OpeningFinder(const ProjectedScene& scene, const Continuation& continuation, const std::vector<Role>& roles,
-                const SweepOrder& order, std::span<const Opening> from_bands)
-      : scene_(scene), continuation_(continuation), roles_(roles), order_(order), from_bands_(from_bands) {}
+                const ImagePoints& points, std::span<const Opening> from_bands)
+      : scene_(scene),
+        continuation_(continuation),
+        roles_(roles),
+        points_(points),
+        order_(points.order()),
+        from_bands_(from_bands) {}
 
   // Returns what opens at points [begin, end), and at crossings before each of them, from left to right. What opens in
   // the bands is given from the first that may open there on, in the order in which it opens; what opens at one point
@@ -124,24 +161,17 @@ class OpeningFinder {
   // Openings are placed from left to right; along one edge, what is left of it comes first.
   void place_here() {
     sort_few(std::span(here_), [this](const Opening& a, const Opening& b) {
-      const Sign turn = directions_turn(a.segment.edge, b.segment.edge);
+      const Sign turn = points_.turn(a.segment.edge, b.segment.edge);
       return turn != 0 ? turn > 0 : a.left_of_edge && !b.left_of_edge;
     });
     placed_.insert(placed_.end(), here_.begin(), here_.end());
     here_.clear();
   }
 
-  [[nodiscard]] Sign directions_turn(EdgeId a, EdgeId b) const {
-    if (a == b) return 0;
-    const auto direction = [this](EdgeId e) {
-      return ExactDecisions::direction(scene_.point(scene_.edge(e).top), scene_.point(scene_.edge(e).bottom));
-    };
-    return ExactDecisions::turn(direction(a), direction(b));
-  }
-
   const ProjectedScene& scene_;
   const Continuation& continuation_;
   const std::vector<Role>& roles_;
+  const ImagePoints& points_;
   const SweepOrder& order_;
   const std::span<const Opening> from_bands_;
   std::size_t next_swept_ = 0;
@@ -163,6 +193,7 @@ class SegmentJoiner {
 
   VisibleSegments join() {
     parallel_for_each(swept_.size(), 1, [this](std::size_t band) { drop_foreign(BandId(band)); });
+    join_swap_edges();
     join_crossings();
     collect_splits();
     place_segments(collect_swept());
@@ -178,6 +209,46 @@ class SegmentJoiner {
     VisibleSegments& swept = swept_[band.index()];
     std::erase_if(swept.threads, [&](const Thread& t) { return !is_of(t.facet, band); });
     std::erase_if(swept.splits, [&](const EdgeSplit& s) { return !is_of(s.facet, band); });
+  }
+
+  void join_swap_edges() {
+    std::vector<std::vector<std::uint8_t>> used(swept_.size());
+    parallel_for_each(swept_.size(), 1, [&](std::size_t band) { used[band] = used_swap_edges(BandId(band)); });
+    const JoinedSwapEdges joined(swept_, used);
+    result_.swap_edges = joined.all();
+    const std::size_t scene_edges = scene_.edge_count();
+    parallel_for_each(swept_.size(), 1, [&](std::size_t band) {
+      const std::vector<std::size_t> numbers = joined.numbers(band);
+      if (numbers.empty()) return;
+      const auto rename = [&](EdgeId& e) {
+        if (e.index() >= scene_edges) e = EdgeId(scene_edges + numbers[e.index() - scene_edges]);
+      };
+      for (Crossing& c : swept_[band].crossings) {
+        rename(c.a);
+        rename(c.b);
+      }
+      for (VisibleSegment& s : swept_[band].segments) rename(s.edge);
+    });
+  }
+
+  // Returns, per swap edge of the band's sweep, whether what is used of the band runs along it, or crosses it where it names
+  // a point.
+  [[nodiscard]] std::vector<std::uint8_t> used_swap_edges(BandId band) {
+    const VisibleSegments& swept = swept_[band.index()];
+    std::vector<std::uint8_t> used(swept.swap_edges.size(), 0);
+    if (used.empty()) return used;
+    const auto use = [&](EdgeId e) {
+      if (e.index() >= scene_.edge_count()) used[e.index() - scene_.edge_count()] = 1;
+    };
+    const std::vector<std::uint8_t> crossings = used_crossings(band);
+    for (std::size_t c = 0; c < crossings.size(); ++c) {
+      if (crossings[c] != 0) use(swept.crossings[c].a);
+      if (crossings[c] != 0) use(swept.crossings[c].b);
+    }
+    for (const VisibleSegment& s : swept.segments) {
+      if (is_of(s.facet, band)) use(s.edge);
+    }
+    return used;
   }
 
   template <class Visit>
@@ -211,7 +282,7 @@ class SegmentJoiner {
         if (used[band][i] != 0) crossings.push_back(own[i]);
       }
     }
-    const JoinedCrossings joined(scene_, crossings);
+    const JoinedCrossings joined(scene_, result_.swap_edges, std::move(crossings));
     parallel_for_each(swept_.size(), 1, [&](std::size_t band) { rename_points(BandId(band), used[band], joined); });
     result_.crossings = joined.all();
   }
@@ -260,12 +331,13 @@ class SegmentJoiner {
 
   // Points are divided into ranges, and each range is one thread's. Nothing opens below all points.
   void place_segments(const std::vector<Opening>& from_bands) {
+    const ImagePoints image(scene_, result_);
     const std::size_t points = scene_.points.size();
     std::vector<std::vector<Opening>> parts(range_count(points));
     parallel_for_ranges(points, [&](std::size_t range, std::size_t begin, std::size_t end) {
       const auto first = begin == 0 ? from_bands.begin()
                                     : std::ranges::upper_bound(from_bands, PointId(begin - 1), order_, &Opening::upper);
-      parts[range] = OpeningFinder(scene_, continuation_, roles_, order_, {first, from_bands.end()}).find(begin, end);
+      parts[range] = OpeningFinder(scene_, continuation_, roles_, image, {first, from_bands.end()}).find(begin, end);
     });
     std::vector<std::size_t> placed_before{0};
     for (const auto& part : parts) placed_before.push_back(placed_before.back() + part.size());

@@ -1,8 +1,9 @@
 #include "sweep/bands/scene_part.h"
 
 #include <algorithm>
+#include <ranges>
 
-#include "sweep/segments/crossing_point.h"
+#include "sweep/segments/crossing_order.h"
 
 namespace sightline::inline sweep {
 namespace {
@@ -29,6 +30,7 @@ class PartBuilder {
     scene.arithmetic = whole_.arithmetic;
     scene.grid_bits = whole_.grid_bits;
     scene.facing = whole_.facing;
+    scene.unrounded.made = whole_.unrounded.made;
     scene.status.assign(whole_.status.size(), FacetStatus::out_of_view);
   }
 
@@ -48,6 +50,9 @@ class PartBuilder {
       new_point_[p] = PointId(part_.point.size());
       part_.point.emplace_back(p);
       part_.scene.points.push_back(whole_.points[p]);
+      if (!whole_.is_unrounded()) continue;
+      part_.scene.unrounded.places.push_back(whole_.unrounded.places[p]);
+      part_.scene.unrounded.sources.push_back(whole_.unrounded.sources[p]);
     }
     for (std::size_t e = 0; e < used_edge.size(); ++e) {
       if (used_edge[e] != 0) part_.edge.emplace_back(e);
@@ -97,24 +102,36 @@ class PartBuilder {
   ScenePart part_;
 };
 
+// The swap edges of a part are those of the whole, under other ids.
+class EdgeNames {
+ public:
+  EdgeNames(const ProjectedScene& whole, const ScenePart& part) : whole_(whole), part_(part) {}
+  [[nodiscard]] EdgeId operator[](EdgeId e) const {
+    const std::size_t own = part_.edge.size();
+    return e.index() < own ? part_.edge[e.index()] : EdgeId(whole_.edge_count() + e.index() - own);
+  }
+
+ private:
+  const ProjectedScene& whole_;
+  const ScenePart& part_;
+};
+
 // Gives the points of a part's sweep their ids in the whole. A vertex that the part does not have may lie where edges
 // of it cross: then the crossing is that vertex.
 class PointNames {
  public:
-  PointNames(const ProjectedScene& whole, const ScenePart& part, std::vector<Crossing>& crossings)
-      : whole_(whole), part_(part) {
+  // Precondition: the segments' edges have their names in the whole. Crossings that are vertices there are left out.
+  PointNames(const ProjectedScene& whole, const ScenePart& part, VisibleSegments& segments)
+      : whole_(whole), part_(part), crossing_order_(whole, segments.swap_edges) {
     std::vector<Crossing> kept;
-    for (Crossing crossing : crossings) {
-      crossing.a = part.edge[crossing.a.index()];
-      crossing.b = part.edge[crossing.b.index()];
-      const CrossingPoint place = crossing_point(whole, crossing.a, crossing.b);
-      crossing.after = first_not_before(place, crossing.after);
-      const bool is_vertex =
-          crossing.after.index() < whole.points.size() && sweep_compare(place, whole.point(crossing.after)) == 0;
+    for (Crossing crossing : segments.crossings) {
+      crossing.after = first_not_before(crossing, crossing.after);
+      const bool is_vertex = crossing.after.index() < whole.points.size() &&
+                             crossing_order_.compare(crossing, crossing.after) == 0;
       names_.push_back(is_vertex ? crossing.after : PointId(whole.points.size() + kept.size()));
       if (!is_vertex) kept.push_back(crossing);
     }
-    crossings = std::move(kept);
+    segments.crossings = std::move(kept);
   }
 
   [[nodiscard]] PointId operator[](PointId p) const {
@@ -123,17 +140,18 @@ class PointNames {
 
  private:
   // The point is among the whole's points from the part's last one before the crossing to the part's next one.
-  [[nodiscard]] PointId first_not_before(const CrossingPoint& place, PointId next) const {
-    const auto at = [this](std::size_t i) { return whole_.points.begin() + static_cast<std::ptrdiff_t>(i); };
-    const auto begin = at(next.index() == 0 ? 0 : part_.point[next.index() - 1].index());
-    const auto end = next.index() == part_.point.size() ? whole_.points.end() : at(part_.point[next.index()].index());
-    const auto found =
-        std::partition_point(begin, end, [&](const ImagePoint& p) { return sweep_compare(place, p) > 0; });
-    return PointId(static_cast<std::size_t>(found - whole_.points.begin()));
+  [[nodiscard]] PointId first_not_before(const Crossing& crossing, PointId next) const {
+    const std::size_t begin = next.index() == 0 ? 0 : part_.point[next.index() - 1].index();
+    const std::size_t end =
+        next.index() == part_.point.size() ? whole_.points.size() : part_.point[next.index()].index();
+    const auto ids = std::views::iota(begin, end);
+    const auto is_before = [&](std::size_t p) { return crossing_order_.compare(crossing, PointId(p)) > 0; };
+    return PointId(begin + static_cast<std::size_t>(std::ranges::partition_point(ids, is_before) - ids.begin()));
   }
 
   const ProjectedScene& whole_;
   const ScenePart& part_;
+  const CrossingOrder crossing_order_;
   std::vector<PointId> names_;  // per crossing of the part
 };
 
@@ -144,11 +162,16 @@ ScenePart part_of(const ProjectedScene& whole, const Continuation& continuation,
 }
 
 VisibleSegments in_whole(const ProjectedScene& whole, const ScenePart& part, VisibleSegments segments) {
-  const PointNames names(whole, part, segments.crossings);
+  const EdgeNames edge_names(whole, part);
+  for (Crossing& crossing : segments.crossings) {
+    crossing.a = edge_names[crossing.a];
+    crossing.b = edge_names[crossing.b];
+  }
+  const PointNames names(whole, part, segments);
   for (VisibleSegment& segment : segments.segments) {
     segment.start = names[segment.start];
     segment.end = names[segment.end];
-    segment.edge = part.edge[segment.edge.index()];
+    segment.edge = edge_names[segment.edge];
   }
   for (Thread& thread : segments.threads) thread.top = names[thread.top];
   for (EdgeSplit& split : segments.splits) {

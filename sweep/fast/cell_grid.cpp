@@ -38,8 +38,9 @@ void add_between(const ImagePoint& a, const ImagePoint& b, double bottom, double
 
 }  // namespace
 
-CellGrid::CellGrid(int grid_bits, int level)
+CellGrid::CellGrid(int grid_bits, int level, int spread)
     : level_(std::clamp(level, 0, grid_bits)),
+      spread_(spread),
       shift_(grid_bits + 1 - level_),
       half_window_(std::int64_t{1} << grid_bits) {}
 
@@ -66,15 +67,16 @@ CellRange CellGrid::range_of(std::span<const ImagePoint> points) const {
     high = {std::max(high.x, p.x), std::max(high.y, p.y)};
   }
   const auto small = [](unsigned i) { return static_cast<std::uint16_t>(i); };
-  return {small(first_touched(low.x)), small(first_touched(low.y)), small(last_touched(high.x)),
-          small(last_touched(high.y))};
+  return {small(first_touched(low.x - spread_)), small(first_touched(low.y - spread_)),
+          small(last_touched(high.x + spread_)), small(last_touched(high.y + spread_))};
 }
 
 CellGrid::Rows CellGrid::columns_by_row(std::span<const ImagePoint> polygon, const CellRange& range) const {
   Rows rows;
   for (unsigned row = range.bottom; row <= range.top; ++row) {
     const ImagePoint middle = centre(0, row);
-    const double half = static_cast<double>(cell_size()) / 2 + margin;
+    const double around = margin + spread_;
+    const double half = static_cast<double>(cell_size()) / 2 + around;
     const double bottom = static_cast<double>(middle.y) - half;
     const double top = static_cast<double>(middle.y) + half;
     Extent extent;
@@ -85,8 +87,8 @@ CellGrid::Rows CellGrid::columns_by_row(std::span<const ImagePoint> polygon, con
       rows.emplace_back();
       continue;
     }
-    rows.push_back({std::max<unsigned>(first_touched(static_cast<std::int64_t>(extent.low - margin)), range.left),
-                    std::min<unsigned>(last_touched(static_cast<std::int64_t>(extent.high + margin)), range.right)});
+    rows.push_back({std::max<unsigned>(first_touched(static_cast<std::int64_t>(extent.low - around)), range.left),
+                    std::min<unsigned>(last_touched(static_cast<std::int64_t>(extent.high + around)), range.right)});
   }
   return rows;
 }

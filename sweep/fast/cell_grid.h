@@ -2,13 +2,13 @@
 //
 // In:  points in the window, in grid units.
 // Out: the cells that points, edges and convex polygons touch; a few more are named, never one too few.
+//      Points may be off by a spread, in each coordinate: then the cells are named that they may touch.
 // Holds: cells are closed: what lies on the line between two cells touches both.
 // Complexity: O(1) per cell that is named.
 #pragma once
 
 #include <boost/container/small_vector.hpp>
 #include <cstdint>
-#include <cstdlib>
 #include <span>
 
 #include "geometry/numbers/image_point.h"
@@ -28,33 +28,37 @@ struct CellRange {
   [[nodiscard]] bool is_narrow() const { return left == right || bottom == top; }
 };
 
-// A facet's rounded polygon is given to the grid as plain points.
+// Without rounding the grid has each point within a spacing of where it is (exact_place.h).
+[[nodiscard]] inline int spread_of(const ProjectedScene& scene) { return scene.is_unrounded() ? 1 : 0; }
+
+// A facet's polygon on the grid is given to the cells as plain points.
 class FacetOutline {
  public:
   FacetOutline(const ProjectedScene& scene, FacetId f) {
-    for (const ClippedCorner& corner : scene.polygon(f)) points_.push_back(scene.point(corner.point));
+    for (const ClippedCorner& corner : scene.polygon(f)) {
+      ids_.push_back(corner.point);
+      points_.push_back(scene.point(corner.point));
+    }
   }
+  [[nodiscard]] std::span<const PointId> ids() const { return {ids_.data(), ids_.size()}; }
   [[nodiscard]] std::span<const ImagePoint> points() const { return {points_.data(), points_.size()}; }
 
  private:
+  boost::container::small_vector<PointId, 6> ids_;
   boost::container::small_vector<ImagePoint, 6> points_;
 };
 
 class CellGrid {
  public:
-  // The grid has 2^level cells along each side.
-  CellGrid(int grid_bits, int level);
+  // The grid has 2^level cells along each side. What lies where on the image's grid is known up to `spread` spacings.
+  CellGrid(int grid_bits, int level, int spread = 0);
 
   [[nodiscard]] unsigned side() const { return 1U << level_; }
   [[nodiscard]] std::size_t cell_count() const { return std::size_t{1} << (2 * level_); }
   [[nodiscard]] CellIndex cell(unsigned column, unsigned row) const { return (row << level_) + column; }
   [[nodiscard]] ImagePoint centre(unsigned column, unsigned row) const;
   [[nodiscard]] std::int64_t cell_size() const { return std::int64_t{1} << shift_; }
-
-  // Returns whether an edge runs along the window's border. What it belongs to does not end there for a cell.
-  [[nodiscard]] bool is_on_border(const ImagePoint& a, const ImagePoint& b) const {
-    return (a.x == b.x && std::abs(a.x) == half_window_) || (a.y == b.y && std::abs(a.y) == half_window_);
-  }
+  [[nodiscard]] int spread() const { return spread_; }
 
   // Returns the cells that the points' bounding box touches. Precondition: there is a point.
   [[nodiscard]] CellRange range_of(std::span<const ImagePoint> points) const;
@@ -106,6 +110,7 @@ class CellGrid {
   [[nodiscard]] unsigned last_touched(std::int64_t coordinate) const;
 
   int level_;
+  int spread_;
   int shift_;  // a cell is 2^shift grid units wide
   std::int64_t half_window_;
 };

@@ -13,6 +13,7 @@ Sign turn_of(const ProjectedScene& scene, FacetId f) { return scene.facing[f.ind
 // Returns whether the rounded polygon is convex, without straight or turned corners, and runs around once: then the
 // triangles of its fan have area, too.
 bool is_proper(const ProjectedScene& scene, FacetId f) {
+  if (scene.is_unrounded()) return true;
   const auto corners = scene.polygon(f);
   const Sign turn = turn_of(scene, f);
   const auto at = [&](std::size_t i) { return scene.point(corners[i % corners.size()].point); };

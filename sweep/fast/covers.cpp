@@ -10,6 +10,7 @@
 #include "geometry/numbers/grouping.h"
 #include "geometry/numbers/parallel.h"
 #include "sweep/plain/depth_order.h"
+#include "sweep/unrounded/swap_edges.h"
 
 namespace sightline::inline sweep {
 namespace {
@@ -19,8 +20,8 @@ constexpr std::size_t most_failures = 4;
 
 // Returns whether an edge certainly misses a square: its line passes the centre further away than the corners are. The
 // products are off by less than 2^-50 of their absolute values.
-bool misses(const ImagePoint& a, const ImagePoint& b, const ImagePoint& centre, std::int64_t cell_size) {
-  const double half = static_cast<double>(cell_size) / 2;
+bool misses(const ImagePoint& a, const ImagePoint& b, const ImagePoint& centre, const CellGrid& grid) {
+  const double half = static_cast<double>(grid.cell_size()) / 2 + grid.spread();
   const auto ax = static_cast<double>(a.x - centre.x);
   const auto ay = static_cast<double>(a.y - centre.y);
   const auto bx = static_cast<double>(b.x - centre.x);
@@ -33,38 +34,38 @@ bool misses(const ImagePoint& a, const ImagePoint& b, const ImagePoint& centre, 
   return std::fabs(left - right) > reach * (1 + 0x1p-40) + 0x1p-40 * (std::fabs(left) + std::fabs(right));
 }
 
-bool boxes_are_apart(std::span<const ImagePoint> a, std::span<const ImagePoint> b) {
+bool boxes_are_apart(std::span<const ImagePoint> a, std::span<const ImagePoint> b, int spread) {
   const auto apart = [&](auto coordinate) {
     const auto [a_low, a_high] = std::ranges::minmax(a, {}, coordinate);
     const auto [b_low, b_high] = std::ranges::minmax(b, {}, coordinate);
-    return coordinate(a_high) <= coordinate(b_low) || coordinate(b_high) <= coordinate(a_low);
+    return coordinate(a_high) + 2 * spread <= coordinate(b_low) || coordinate(b_high) + 2 * spread <= coordinate(a_low);
   };
   return apart([](const ImagePoint& p) { return p.x; }) || apart([](const ImagePoint& p) { return p.y; });
 }
 
 // Returns whether all the points are on the outer side of an edge of a convex polygon with this turn, or on its line.
-bool is_beyond_an_edge(std::span<const ImagePoint> points, std::span<const ImagePoint> polygon, Sign turn) {
+bool is_beyond_an_edge(const CellSides& sides, std::span<const PointId> points, std::span<const PointId> polygon,
+                       Sign turn) {
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const ImagePoint& next = polygon[i + 1 == polygon.size() ? 0 : i + 1];
-    const auto is_outside = [&](const ImagePoint& p) { return orientation(polygon[i], next, p) * turn <= 0; };
+    const PointId next = polygon[i + 1 == polygon.size() ? 0 : i + 1];
+    const auto is_outside = [&](PointId p) { return sides.orientation(polygon[i], next, p) * turn <= 0; };
     if (std::ranges::all_of(points, is_outside)) return true;
   }
   return false;
 }
 
 // Returns on which side of the line from a to b a point is that lies an infinitesimal step to the right of p, and one of a
-// higher order above it: so never on it.
-Sign side_beside(const ImagePoint& a, const ImagePoint& b, const ImagePoint& p) {
-  const Sign side = orientation(a, b, p);
-  if (side != 0) return side;
-  return a.y != b.y ? sign_of(a.y - b.y) : sign_of(b.x - a.x);
+// higher order above it: so never on it. Ids say whether a is higher than b, or else further left.
+Sign side_beside(const CellSides& sides, PointId a, PointId b, const ImagePoint& p) {
+  const Sign side = sides.orientation(a, b, p);
+  return side != 0 ? side : a < b ? 1 : -1;
 }
 
 // Returns whether a convex polygon with this turn contains the point beside p: of polygons that lie side by side one does.
-bool contains_beside(std::span<const ImagePoint> polygon, Sign turn, const ImagePoint& p) {
+bool contains_beside(const CellSides& sides, std::span<const PointId> polygon, Sign turn, const ImagePoint& p) {
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const ImagePoint& next = polygon[i + 1 == polygon.size() ? 0 : i + 1];
-    if (polygon[i] != next && side_beside(polygon[i], next, p) * turn < 0) return false;
+    const PointId next = polygon[i + 1 == polygon.size() ? 0 : i + 1];
+    if (polygon[i] != next && side_beside(sides, polygon[i], next, p) * turn < 0) return false;
   }
   return true;
 }
@@ -101,18 +102,24 @@ Grouping<CellFacet> facets_by_cell(const FacetCells& cells, const std::vector<st
 }
 
 // This looks at some of the cells, and counts for each facet in how many of them it is not in front.
-class CoverFinder {
+class CoverFinder : private LocalOrder {
  public:
   CoverFinder(const SceneInCells& in, const Grouping<CellFacet>& facets, std::vector<std::uint8_t>& one_sheet)
       : scene_(in.scene),
+        sides_(in.sides),
         depths_(in.depths),
         continuation_(in.continuation),
         grid_(in.grid),
         facets_(facets),
         one_sheet_(one_sheet),
         order_(in.scene, in.depths),
+        swap_edges_(in.scene),
         mark_(in.hidden.size(), 0),
-        hidden_cells_(in.hidden.size(), 0) {}
+        hidden_cells_(in.hidden.size(), 0) {
+    if (in.scene.is_unrounded()) order_.set_local_order(this);
+  }
+  CoverFinder(const CoverFinder&) = delete;
+  CoverFinder& operator=(const CoverFinder&) = delete;
 
   void look_at_row(unsigned row) {
     for (unsigned column = 0; column < grid_.side(); ++column) {
@@ -139,7 +146,7 @@ class CoverFinder {
   // the centre. Precondition: what is in front is the cover.
   [[nodiscard]] bool covers_once() const {
     return std::ranges::count_if(in_front_, [this](FacetId f) {
-             return contains_beside(FacetOutline(scene_, f).points(), turn_of(f), centre_);
+             return contains_beside(sides_, FacetOutline(scene_, f).ids(), turn_of(f), centre_);
            }) == 1;
   }
 
@@ -218,18 +225,37 @@ class CoverFinder {
     if (depths_[front.index()].farthest < depths_[f.index()].nearest) return true;
     const FacetOutline outline(scene_, f);
     const FacetOutline front_outline(scene_, front);
-    return boxes_are_apart(outline.points(), front_outline.points()) || order_.nearer(front, f) ||
+    return boxes_are_apart(outline.points(), front_outline.points(), grid_.spread()) || is_nearer_in_cell(front, f) ||
            is_beyond(outline, front, front_outline) || is_beyond(front_outline, f, outline);
   }
 
+  [[nodiscard]] bool is_nearer_in_cell(FacetId f, FacetId g) {
+    const DepthRelation relation = order_.relation(f, g);
+    return relation.nearer && !relation.passes_through;
+  }
+
+  // Facets that pass through each other have one order in the cell where the line along which they change places certainly
+  // misses it. The line's coefficients are at most 1, off by u = 2^-53, and the centre is exact.
+  [[nodiscard]] DepthRelation relation_here(FacetId f, FacetId g) override {
+    const EdgeId edge = swap_edges_.between(f, g);
+    const SwapEdge& swap = swap_edges_.all()[edge.index() - scene_.edge_count()];
+    const auto window = [this](double spacings) { return std::ldexp(spacings, -scene_.grid_bits); };
+    const double at_centre = swap.a * window(static_cast<double>(centre_.x)) +
+                             swap.b * window(static_cast<double>(centre_.y)) + swap.c;
+    const double reach = (std::fabs(swap.a) + std::fabs(swap.b)) * window(static_cast<double>(grid_.cell_size()) / 2);
+    const bool is_one_side = !swap.is_seen || std::fabs(at_centre) > reach * (1 + 0x1p-50) + 0x1p-49;
+    const Sign side = !swap.is_seen || at_centre > 0 ? 1 : -1;
+    return {is_one_side && side == swap_edges_.nearer_side(edge, f), !is_one_side};
+  }
+
   [[nodiscard]] bool is_beyond(const FacetOutline& outline, FacetId f, const FacetOutline& of_f) const {
-    return continuation_.is_proper(f) && is_beyond_an_edge(outline.points(), of_f.points(), turn_of(f));
+    return continuation_.is_proper(f) && is_beyond_an_edge(sides_, outline.ids(), of_f.ids(), turn_of(f));
   }
 
   [[nodiscard]] bool misses_cell(EdgeId e) const {
-    const ImagePoint& top = scene_.point(scene_.edge(e).top);
-    const ImagePoint& bottom = scene_.point(scene_.edge(e).bottom);
-    return grid_.is_on_border(top, bottom) || misses(top, bottom, centre_, grid_.cell_size());
+    const SceneEdge& edge = scene_.edge(e);
+    return misses(scene_.point(edge.top), scene_.point(edge.bottom), centre_, grid_) ||
+           sides_.is_on_border(edge.top, edge.bottom);
   }
 
   [[nodiscard]] FacetId across(EdgeId e, FacetId f) const {
@@ -238,12 +264,14 @@ class CoverFinder {
   }
 
   const ProjectedScene& scene_;
+  const CellSides& sides_;
   const std::vector<DepthRange>& depths_;
   const Continuation& continuation_;
   const CellGrid& grid_;
   const Grouping<CellFacet>& facets_;
   std::vector<std::uint8_t>& one_sheet_;
   DepthOrder order_;
+  SwapEdges swap_edges_;
   std::vector<std::uint32_t> mark_;          // per facet: the last sheet that it was of
   std::vector<std::uint32_t> hidden_cells_;  // per facet: in how many cells it is not in front
   std::uint32_t marks_ = 0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 
 #include "geometry/numbers/parallel.h"
 
@@ -21,6 +22,7 @@ struct Line {
   double reach = 0;  // of a cell, from its centre
 
   Line() = default;
+  // Precondition: the reach is that of a cell, with the spread of its ends.
   Line(const ImagePoint& from, const ImagePoint& to, double half_cell)
       : a(from),
         b(to),
@@ -37,11 +39,15 @@ struct Line {
     const double right = dy * static_cast<double>(p.x - a.x);
     return {left - right, product_error * (std::fabs(left) + std::fabs(right))};
   }
-  // Returns +1 where p is to the left.
-  [[nodiscard]] Sign side(const ImagePoint& p) const {
+  // Returns +1 where p is certainly to the left, -1 where to the right. With ends that are off by a spread s, the cross
+  // product is off by less than s times how far, both ways added up, p is from them, and 2 s^2.
+  [[nodiscard]] Sign certain_side(const ImagePoint& p, int spread) const {
     const Across at = across(p);
-    if (std::fabs(at.value) > at.error) return at.value > 0 ? 1 : -1;
-    return orientation(a, b, p);
+    const double far = static_cast<double>(distance(a, p) + distance(b, p)) + 2.0 * spread;
+    return std::fabs(at.value) > at.error + spread * far * (1 + product_error) ? (at.value > 0 ? 1 : -1) : 0;
+  }
+  [[nodiscard]] static std::int64_t distance(const ImagePoint& p, const ImagePoint& q) {
+    return std::abs(p.x - q.x) + std::abs(p.y - q.y);
   }
 };
 
@@ -50,7 +56,7 @@ struct Line {
 class TriangleInCells {
  public:
   TriangleInCells(std::span<const ImagePoint> corners, const CellGrid& grid) {
-    const double half_cell = static_cast<double>(grid.cell_size()) / 2;
+    const double half_cell = static_cast<double>(grid.cell_size()) / 2 + grid.spread();
     for (std::size_t i = 0; i < 3; ++i) lines_[i] = Line(corners[i], corners[(i + 1) % 3], half_cell);
     const auto opposite = lines_[0].across(corners[2]);
     turn_ = opposite.value < 0 ? -1 : 1;
@@ -66,30 +72,20 @@ class TriangleInCells {
     });
   }
 
-  [[nodiscard]] bool is_over(const ImagePoint& p, Sign turn) const {
-    return std::ranges::all_of(lines_, [&](const Line& line) { return line.side(p) * turn >= 0; });
-  }
-
  private:
   std::array<Line, 3> lines_;
   double turn_ = 1;   // +1 where the corners run counter-clockwise
   double width_ = 0;  // of the triangle across each of its edges: twice its area
 };
 
-bool is_over(std::span<const ImagePoint> outline, const ImagePoint& p, Sign turn) {
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    if (Line(outline[i], outline[i + 1 == outline.size() ? 0 : i + 1], 0).side(p) * turn < 0) return false;
-  }
-  return true;
-}
-
 // Up to this size it pays to go through all cells of the bounding box.
 bool is_small(const CellRange& range) { return (range.right - range.left + 1) * (range.top - range.bottom + 1) <= 16; }
 
 class CellsOfFacets {
  public:
-  CellsOfFacets(const ProjectedScene& scene, const Continuation& continuation, const CellGrid& grid)
-      : scene_(scene), continuation_(continuation), grid_(grid) {}
+  CellsOfFacets(const ProjectedScene& scene, const CellSides& sides, const Continuation& continuation,
+                const CellGrid& grid)
+      : scene_(scene), sides_(sides), continuation_(continuation), grid_(grid) {}
 
   void add(FacetId f, std::vector<FacetCell>& cells) const {
     const FacetOutline outline(scene_, f);
@@ -97,36 +93,48 @@ class CellsOfFacets {
     const bool proper = continuation_.is_proper(f);
     const Sign turn = scene_.facing[f.index()] == FacetFacing::back ? -1 : 1;
     const CellRange range = grid_.range_of(points);
-    if (points.size() == 3 && is_small(range)) return add_small(points, range, proper, turn, cells);
+    if (points.size() == 3 && is_small(range)) return add_small(outline, range, proper, turn, cells);
     grid_.for_each_in_polygon(points, [&](unsigned column, unsigned row) {
-      cells.emplace_back(grid_.cell(column, row), !proper || is_over(points, grid_.centre(column, row), turn));
+      cells.emplace_back(grid_.cell(column, row), !proper || is_over(outline, grid_.centre(column, row), turn));
       return true;
     });
   }
 
  private:
-  void add_small(std::span<const ImagePoint> corners, const CellRange& range, bool proper, Sign turn,
+  [[nodiscard]] bool is_over(const FacetOutline& outline, const ImagePoint& p, Sign turn) const {
+    const auto points = outline.points();
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const std::size_t next = i + 1 == points.size() ? 0 : i + 1;
+      Sign side = Line(points[i], points[next], 0).certain_side(p, grid_.spread());
+      if (side == 0) side = sides_.orientation(outline.ids()[i], outline.ids()[next], p);
+      if (side * turn < 0) return false;
+    }
+    return true;
+  }
+
+  void add_small(const FacetOutline& outline, const CellRange& range, bool proper, Sign turn,
                  std::vector<FacetCell>& cells) const {
-    const TriangleInCells triangle(corners, grid_);
+    const TriangleInCells triangle(outline.points(), grid_);
     CellGrid::for_each(range, [&](unsigned column, unsigned row) {
       const ImagePoint centre = grid_.centre(column, row);
       if (range.is_narrow() || !triangle.misses(centre))
-        cells.emplace_back(grid_.cell(column, row), !proper || triangle.is_over(centre, turn));
+        cells.emplace_back(grid_.cell(column, row), !proper || is_over(outline, centre, turn));
       return true;
     });
   }
 
   const ProjectedScene& scene_;
+  const CellSides& sides_;
   const Continuation& continuation_;
   const CellGrid& grid_;
 };
 
 }  // namespace
 
-FacetCells::FacetCells(const ProjectedScene& scene, const Continuation& continuation, const CellGrid& grid,
-                       const std::vector<std::uint8_t>& hidden)
+FacetCells::FacetCells(const ProjectedScene& scene, const CellSides& sides, const Continuation& continuation,
+                       const CellGrid& grid, const std::vector<std::uint8_t>& hidden)
     : begin_(scene.status.size() + 1, 0) {
-  const CellsOfFacets cells_of_facets(scene, continuation, grid);
+  const CellsOfFacets cells_of_facets(scene, sides, continuation, grid);
   std::vector<std::vector<FacetCell>> parts(range_count(scene.status.size()));
   parallel_for_ranges(scene.status.size(), [&](std::size_t range, std::size_t begin, std::size_t end) {
     std::vector<FacetCell>& part = parts[range];

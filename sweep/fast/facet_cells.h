@@ -12,6 +12,7 @@
 
 #include "geometry/projection/projected_scene.h"
 #include "sweep/fast/cell_grid.h"
+#include "sweep/fast/cell_sides.h"
 #include "sweep/fast/continuation.h"
 
 namespace sightline::inline sweep {
@@ -28,8 +29,8 @@ class FacetCell {
 
 class FacetCells {
  public:
-  FacetCells(const ProjectedScene& scene, const Continuation& continuation, const CellGrid& grid,
-             const std::vector<std::uint8_t>& hidden);
+  FacetCells(const ProjectedScene& scene, const CellSides& sides, const Continuation& continuation,
+             const CellGrid& grid, const std::vector<std::uint8_t>& hidden);
 
   [[nodiscard]] std::span<const FacetCell> of(FacetId f) const {
     return std::span(cells_).subspan(begin_[f.index()], begin_[f.index() + 1] - begin_[f.index()]);

@@ -18,11 +18,12 @@ constexpr unsigned least_width = 4;
 
 class LargeCovers {
  public:
-  LargeCovers(const ProjectedScene& scene, const std::vector<DepthRange>& depths)
+  LargeCovers(const ProjectedScene& scene, const CellSides& sides, const std::vector<DepthRange>& depths)
       : scene_(scene),
+        sides_(sides),
         depths_(depths),
-        cells_(scene.grid_bits, cell_level),
-        tiles_(scene.grid_bits, tile_level),
+        cells_(scene.grid_bits, cell_level, spread_of(scene)),
+        tiles_(scene.grid_bits, tile_level, spread_of(scene)),
         behind_cell_(cells_.cell_count(), infinity),
         behind_tile_(tiles_.cell_count(), infinity) {}
 
@@ -79,7 +80,7 @@ class LargeCovers {
     const double farthest = depths_[f.index()].farthest;
     cells_.for_each_in_polygon(outline.points(), [&](unsigned column, unsigned row) {
       double& behind = behind_cell_[cells_.cell(column, row)];
-      if (farthest < behind && covers(f, outline.points(), cells_.centre(column, row))) behind = farthest;
+      if (farthest < behind && covers(f, outline, cells_.centre(column, row))) behind = farthest;
       return true;
     });
     tiles_.for_each_in_polygon(outline.points(), [&](unsigned column, unsigned row) {
@@ -101,19 +102,27 @@ class LargeCovers {
   }
 
   // Returns whether all edges inside the window certainly pass the cell on the left of it as the facet turns: then the
-  // facet's rounded polygon covers it. The products are off by less than 2^-50 of their absolute values.
-  [[nodiscard]] bool covers(FacetId f, std::span<const ImagePoint> outline, const ImagePoint& centre) const {
+  // facet's polygon covers it. The products are off by less than 2^-50 of their absolute values; with ends that are off by a
+  // spread s, the cross product is off by less than s times how far, both ways added up, the cell's points are from them, and
+  // 2 s^2.
+  [[nodiscard]] bool covers(FacetId f, const FacetOutline& of_f, const ImagePoint& centre) const {
+    const auto outline = of_f.points();
+    const double spread = cells_.spread();
     const double turn = scene_.facing[f.index()] == FacetFacing::back ? -1 : 1;
     const double half = static_cast<double>(cells_.cell_size()) / 2;
     for (std::size_t i = 0; i < outline.size(); ++i) {
       const ImagePoint& a = outline[i];
-      const ImagePoint& b = outline[i + 1 == outline.size() ? 0 : i + 1];
-      if (cells_.is_on_border(a, b)) continue;
+      const std::size_t next = i + 1 == outline.size() ? 0 : i + 1;
+      const ImagePoint& b = outline[next];
+      if (sides_.is_on_border(of_f.ids()[i], of_f.ids()[next])) continue;
       const auto dx = static_cast<double>(b.x - a.x);
       const auto dy = static_cast<double>(b.y - a.y);
       const double left = dx * static_cast<double>(centre.y - a.y);
       const double right = dy * static_cast<double>(centre.x - a.x);
-      const double reach = half * (std::fabs(dx) + std::fabs(dy));
+      const double far = std::fabs(static_cast<double>(centre.x - a.x)) + std::fabs(static_cast<double>(centre.y - a.y)) +
+                         std::fabs(static_cast<double>(centre.x - b.x)) + std::fabs(static_cast<double>(centre.y - b.y)) +
+                         4 * half + 2 * spread;
+      const double reach = half * (std::fabs(dx) + std::fabs(dy)) + spread * far;
       if (!(turn * (left - right) > reach * (1 + 0x1p-40) + 0x1p-40 * (std::fabs(left) + std::fabs(right))))
         return false;
     }
@@ -121,6 +130,7 @@ class LargeCovers {
   }
 
   const ProjectedScene& scene_;
+  const CellSides& sides_;
   const std::vector<DepthRange>& depths_;
   const CellGrid cells_;
   const CellGrid tiles_;
@@ -130,9 +140,9 @@ class LargeCovers {
 
 }  // namespace
 
-std::vector<std::uint8_t> hidden_behind_large_facets(const ProjectedScene& scene,
+std::vector<std::uint8_t> hidden_behind_large_facets(const ProjectedScene& scene, const CellSides& sides,
                                                      const std::vector<DepthRange>& depths) {
-  return LargeCovers(scene, depths).hidden();
+  return LargeCovers(scene, sides, depths).hidden();
 }
 
 }  // namespace sightline::inline sweep

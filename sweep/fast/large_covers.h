@@ -13,11 +13,12 @@
 #include <vector>
 
 #include "geometry/projection/projected_scene.h"
+#include "sweep/fast/cell_sides.h"
 #include "sweep/plain/depth_ranges.h"
 
 namespace sightline::inline sweep {
 
-[[nodiscard]] std::vector<std::uint8_t> hidden_behind_large_facets(const ProjectedScene& scene,
+[[nodiscard]] std::vector<std::uint8_t> hidden_behind_large_facets(const ProjectedScene& scene, const CellSides& sides,
                                                                    const std::vector<DepthRange>& depths);
 
 }  // namespace sightline::inline sweep

@@ -58,8 +58,9 @@ int level_for(const ProjectedScene& scene, const Continuation& continuation, con
   return level;
 }
 
-std::vector<std::uint8_t> hidden_surfaces(const ProjectedScene& scene, const std::vector<DepthRange>& depths) {
-  std::vector<std::uint8_t> hidden = hidden_behind_large_facets(scene, depths);
+std::vector<std::uint8_t> hidden_surfaces(const ProjectedScene& scene, const CellSides& sides,
+                                          const std::vector<DepthRange>& depths) {
+  std::vector<std::uint8_t> hidden = hidden_behind_large_facets(scene, sides, depths);
   keep_surfaces_whole(scene, hidden);
   return hidden;
 }
@@ -68,19 +69,21 @@ std::vector<std::uint8_t> hidden_surfaces(const ProjectedScene& scene, const std
 
 SceneInCells::SceneInCells(const ProjectedScene& whole, std::optional<int> level)
     : scene(whole),
+      sides(whole),
       continuation(whole),
       depths(depth_ranges(whole)),
-      hidden(hidden_surfaces(whole, depths)),
-      grid(whole.grid_bits, level ? *level : level_for(whole, continuation, hidden)),
-      cells(whole, continuation, grid, hidden) {}
+      hidden(hidden_surfaces(whole, sides, depths)),
+      grid(whole.grid_bits, level ? *level : level_for(whole, continuation, hidden), spread_of(whole)),
+      cells(whole, sides, continuation, grid, hidden) {}
 
 SceneInCells::SceneInCells(const ProjectedScene& whole, int level, std::vector<std::uint8_t> known_hidden)
     : scene(whole),
+      sides(whole),
       continuation(whole),
       depths(depth_ranges(whole)),
       hidden(std::move(known_hidden)),
-      grid(whole.grid_bits, level),
-      cells(whole, continuation, grid, hidden) {}
+      grid(whole.grid_bits, level, spread_of(whole)),
+      cells(whole, sides, continuation, grid, hidden) {}
 
 void keep_surfaces_whole(const ProjectedScene& scene, std::vector<std::uint8_t>& hidden) {
   const CutMesh& mesh = scene.mesh();

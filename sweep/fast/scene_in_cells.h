@@ -14,6 +14,7 @@
 
 #include "geometry/projection/projected_scene.h"
 #include "sweep/fast/cell_grid.h"
+#include "sweep/fast/cell_sides.h"
 #include "sweep/fast/continuation.h"
 #include "sweep/fast/facet_cells.h"
 #include "sweep/plain/depth_ranges.h"
@@ -28,6 +29,7 @@ struct SceneInCells {
   SceneInCells(const ProjectedScene& whole, int level, std::vector<std::uint8_t> known_hidden);
 
   const ProjectedScene& scene;
+  const CellSides sides;
   const Continuation continuation;
   const std::vector<DepthRange> depths;
   const std::vector<std::uint8_t> hidden;  // per facet; of a surface all facets or none

@@ -1,6 +1,7 @@
 #include "sweep/plain/segment_recorder.h"
 
 #include <algorithm>
+#include <tuple>
 
 #include "geometry/mesh/facet_plane.h"
 #include "geometry/numbers/errors.h"
@@ -148,7 +149,7 @@ void SegmentRecorder::name(const NamedPoint& point, std::span<const BundleId> be
   result_.crossings.push_back(exact ? crossing_of_carriers(point.crossing.after, below, active) : point.crossing);
 }
 
-// The crossing depends on what is seen alone: nothing starts or ends along one line only. In float and double edges may
+// The crossing depends on what is seen alone, and so do the surfaces of swap edges, not their ids: nothing starts or ends along one line only. In float and double edges may
 // seem to meet here that do not cross at all, and only those that the sweep found to cross are safe names.
 Crossing SegmentRecorder::crossing_of_carriers(PointId after, std::span<const BundleId> below,
                                                const ActiveEdgeList& active) const {
@@ -159,7 +160,11 @@ Crossing SegmentRecorder::crossing_of_carriers(PointId after, std::span<const Bu
       if (open->facet.valid() && !open->segment.valid()) carriers.push_back(open->edge);
     }
   }
-  std::sort(carriers.begin(), carriers.end());
+  std::ranges::sort(carriers, {}, [this](EdgeId e) {
+    const auto surfaces = is_swap_edge(e) ? edges_.surfaces_of_swap_edge(e) : std::array<FacetId, 2>{};
+    return is_swap_edge(e) ? std::tuple(true, surfaces[0], surfaces[1], EdgeId{})
+                           : std::tuple(false, FacetId{}, FacetId{}, e);
+  });
   const auto other =
       std::find_if(carriers.begin(), carriers.end(), [&](EdgeId e) { return edges_.turn(carriers.front(), e) != 0; });
   if (other == carriers.end())

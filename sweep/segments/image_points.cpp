@@ -15,24 +15,13 @@ ExactPoint homogeneous(const CrossingPoint& c) {
           Wide512(c.denominator)};
 }
 
-template <class Place, class Integer>
-Sign exact_orientation(const Place& a, const Place& b, const Place& c, Integer Place::*w) {
-  const auto minor = [](const Place& p, const Place& q) { return Integer(p.x * q.y - p.y * q.x); };
-  return sign_of(Integer(minor(a, b) * (c.*w) + minor(b, c) * (a.*w) + minor(c, a) * (b.*w)));
-}
-
-// The orientation of three places, known up to their radii. A difference of two is off by both, and rounds: by u of itself
-// (u = 2^-53). The determinant of two such ways is then off as unrounded_image.h derives.
-std::optional<Sign> certain_orientation(const CertifiedPlace& a, const CertifiedPlace& b, const CertifiedPlace& c) {
-  const Bounded ux = Bounded(b.x, b.radius) - Bounded(a.x, a.radius);
-  const Bounded uy = Bounded(b.y, b.radius) - Bounded(a.y, a.radius);
-  const Bounded vx = Bounded(c.x, c.radius) - Bounded(a.x, a.radius);
-  const Bounded vy = Bounded(c.y, c.radius) - Bounded(a.y, a.radius);
-  return certain_sign(ux * vy - uy * vx);
+Sign exact_orientation(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c) {
+  const auto minor = [](const ExactPoint& p, const ExactPoint& q) { return Wide512(p.x * q.y - p.y * q.x); };
+  return sign_of(Wide512(minor(a, b) * c.denominator + minor(b, c) * a.denominator + minor(c, a) * b.denominator));
 }
 
 // On the grid a difference of two approximate coordinates is off by two crossing errors and its own rounding.
-std::optional<Sign> certain_orientation(const Point2& a, const Point2& b, const Point2& c) {
+std::optional<Sign> certain_orientation_on_grid(const Point2& a, const Point2& b, const Point2& c) {
   constexpr double difference_error = 2 * crossing_error + 0x1p-11;
   const double ux = b.x - a.x;
   const double uy = b.y - a.y;
@@ -101,12 +90,12 @@ Sign ImagePoints::orientation(PointId a, PointId b, PointId c) const {
   if (a == b || b == c || a == c) return 0;
   if (unrounded_) {
     const auto sign = certain_orientation(certified(a), certified(b), certified(c));
-    return sign ? *sign : exact_orientation(exact(a), exact(b), exact(c), &ExactPlace::w);
+    return sign ? *sign : geometry::orientation(exact(a), exact(b), exact(c));
   }
-  const auto sign = certain_orientation(approximate(a), approximate(b), approximate(c));
+  const auto sign = certain_orientation_on_grid(approximate(a), approximate(b), approximate(c));
   if (sign) return *sign;
   const auto place = [this](PointId p) { return exact_point(*scene_, *segments_, p); };
-  return exact_orientation(place(a), place(b), place(c), &ExactPoint::denominator);
+  return exact_orientation(place(a), place(b), place(c));
 }
 
 Sign ImagePoints::turn(EdgeId a, EdgeId b) const {
@@ -118,16 +107,6 @@ Sign ImagePoints::side(EdgeId e, PointId p) const {
   if (made != nullptr && (made->a == e || made->b == e)) return 0;
   if (!unrounded_) return orientation(scene_->edge(e).top, scene_->edge(e).bottom, p);
   return made == nullptr ? unrounded_->side(e, p) : unrounded_->side(e, UnroundedImage::Place{made->a, made->b});
-}
-
-int ImagePoints::compare(const Crossing& crossing, PointId scene_point) const {
-  if (unrounded_) return unrounded_->compare(UnroundedImage::Place{crossing.a, crossing.b}, scene_point);
-  return sweep_compare(crossing_point(*scene_, crossing.a, crossing.b), scene_->point(scene_point));
-}
-
-int ImagePoints::compare(const Crossing& a, const Crossing& b) const {
-  if (unrounded_) return unrounded_->compare(UnroundedImage::Place{a.a, a.b}, UnroundedImage::Place{b.a, b.b});
-  return sweep_compare(crossing_point(*scene_, a.a, a.b), crossing_point(*scene_, b.a, b.b));
 }
 
 ExactPlace exact_place(const ProjectedScene& scene, const VisibleSegments& segments, PointId p) {

@@ -46,11 +46,6 @@ class ImagePoints final : public EdgeTurns {
   [[nodiscard]] const SweepOrder& order() const { return order_; }
   [[nodiscard]] const VisibleSegments& segments() const { return *segments_; }
 
-  // The place where two edges meet against a point of the scene, and against another such place, in sweep order: -1 where the
-  // first comes first, 0 where they are one place. Precondition: edges of a crossing are not parallel.
-  [[nodiscard]] int compare(const Crossing& crossing, PointId scene_point) const;
-  [[nodiscard]] int compare(const Crossing& a, const Crossing& b) const;
-
  private:
   [[nodiscard]] const Crossing* crossing(PointId p) const;
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "geometry/numbers/id_names.h"
+#include "sweep/segments/crossing_order.h"
 #include "sweep/segments/edge_sides.h"
 #include "sweep/segments/visible_segments.h"
 
@@ -57,10 +58,10 @@ bool separates(const EdgeSides& sides, const ProjectedScene& scene, EdgeId a, Ed
   return sides.side(a, scene.edge(b).top) * sides.side(a, scene.edge(b).bottom) < 0;
 }
 
-bool is_between(const EdgeSides& sides, const Crossing& crossing, std::size_t points) {
+bool is_between(const CrossingOrder& order, const Crossing& crossing, std::size_t points) {
   const std::size_t after = crossing.after.index();
-  return (after == 0 || sides.points().compare(crossing, PointId(after - 1)) > 0) &&
-         (after == points || sides.points().compare(crossing, PointId(after)) < 0);
+  return (after == 0 || order.compare(crossing, PointId(after - 1)) > 0) &&
+         (after == points || order.compare(crossing, PointId(after)) < 0);
 }
 
 // A crossing is of two edges that cross strictly inside both, its place among the scene's points is the one it names,
@@ -70,6 +71,7 @@ void check_crossings(const VisibleSegments& segments, const ProjectedScene& scen
   VisibleSegments lines;
   lines.swap_edges = segments.swap_edges;
   const EdgeSides sides(scene, lines);
+  const CrossingOrder order(scene, segments.swap_edges);
   const Crossing* previous = nullptr;
   for (std::size_t c = 0; c < segments.crossings.size(); ++c) {
     const Crossing& crossing = segments.crossings[c];
@@ -79,9 +81,9 @@ void check_crossings(const VisibleSegments& segments, const ProjectedScene& scen
                          ", which do not cross inside both");
       continue;
     }
-    if (!is_between(sides, crossing, scene.points.size()))
+    if (!is_between(order, crossing, scene.points.size()))
       messages.push_back(crossing_name(c) + " is not where it should be between the scene's points");
-    if (previous != nullptr && sides.points().compare(*previous, crossing) >= 0)
+    if (previous != nullptr && order.compare(*previous, crossing) >= 0)
       messages.push_back(crossing_name(c) + " does not follow the one before it in sweep order");
     previous = &crossing;
   }

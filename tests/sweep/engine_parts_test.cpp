@@ -99,7 +99,8 @@ TEST_CASE("facet cells: every cell in which a point of the facet lies is named, 
     if (scene.status.empty() || scene.status[0] != FacetStatus::in_view) continue;
     const CellGrid grid(scene.grid_bits, round % 6);
     const Continuation continuation(scene);
-    const FacetCells cells(scene, continuation, grid, {0});
+    const CellSides sides(scene);
+    const FacetCells cells(scene, sides, continuation, grid, {0});
     std::set<CellIndex> named;
     for (const FacetCell& cell : cells.of(FacetId(0))) named.insert(cell.cell());
     const auto polygon = scene.polygon(FacetId(0));
@@ -171,7 +172,7 @@ TEST_CASE("continuation: where edges of two sheets fall on each other, neither c
 TEST_CASE("large covers: what lies behind one large facet is hidden, what looks out is not") {
   const Mesh mesh = sheets({{1, 0.8, 1}, {2, 0.5, 8}, {3, 0.9, 8}});
   const ProjectedScene scene = seen_from_above(mesh);
-  const auto hidden = hidden_behind_large_facets(scene, depth_ranges(scene));
+  const auto hidden = hidden_behind_large_facets(scene, CellSides(scene), depth_ranges(scene));
   // Along the diagonal of the first sheet no single facet covers the cells.
   const auto of_sheet = [&](std::size_t begin, std::size_t end) {
     return count_of(

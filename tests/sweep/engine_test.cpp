@@ -14,6 +14,7 @@
 #include "tests/tools/analyzed.h"
 #include "tests/tools/polygon_mesh.h"
 #include "tests/tools/random_surfaces.h"
+#include "tests/tools/unrounded_scenes.h"
 
 namespace sightline::tests::engine_test {
 using namespace lattice;
@@ -69,6 +70,35 @@ TEST_CASE("engines: random scenes whose faces pass through each other") {
   EngineTally tally;
   check_random_scenes(crossing_scene, scene_count(3000), tally);
   CHECK(tally.points > 0);
+}
+
+// Nothing is rounded, and nothing cut: facets pass through each other.
+TEST_CASE("engines without rounding: random scenes, and such whose faces pass through each other") {
+  EngineTally tally;
+  for (std::uint64_t seed = 1; seed <= scene_count(1500); ++seed) {
+    CAPTURE(seed);
+    const RandomScene scene = seed % 2 == 0 ? random_scene(seed) : crossing_scene(seed);
+    for (const tests::Moved how : {tests::Moved::not_at_all, tests::Moved::turned, tests::Moved::by_last_bits}) {
+      CAPTURE(static_cast<int>(how));
+      const ProjectedScene projected =
+          project(uncrossed(tests::moved(scene, how)), scene.camera, scene.sides, {Arithmetic::unrounded});
+      CHECK(engine_differences(projected, {options_of(seed)}, tally) == "");
+    }
+  }
+  CHECK(tally.points > 0);
+}
+
+TEST_CASE("engines without rounding: random surfaces") {
+  EngineTally tally;
+  for (std::uint64_t seed = 1; seed <= scene_count(1000); ++seed) {
+    CAPTURE(seed);
+    const tests::RandomSurfaces surfaces = tests::random_surfaces(seed);
+    const ProjectedScene scene =
+        project(uncrossed(surfaces.mesh), surfaces.camera, Sides::both, {Arithmetic::unrounded});
+    CHECK(engine_differences(scene, {options_of(seed)}, tally) == "");
+  }
+  MESSAGE(tally.swept << " of " << tally.points << " sweep points swept");
+  CHECK(5 * tally.swept < 4 * tally.points);
 }
 
 // Four fifths of the points are swept at most: facets that are seen whole, and facets behind covers, are there.
