@@ -31,4 +31,7 @@ struct MergedScene {
 
 [[nodiscard]] MergedScene merge(ProjectedScene scene, VisibleSegments segments, std::span<const BorderSegment> border);
 
+// The same for an image that is not rounded, whose scene and segments are copied.
+[[nodiscard]] MergedScene merge(const ImagePoints& image, std::span<const BorderSegment> border);
+
 }  // namespace sightline::inline reflect

@@ -74,8 +74,10 @@ void for_each_surface(const CutMesh& mesh, const VisibleSegments& segments, Visi
 }
 
 // Returns the edges along which a surface that reflects is visible.
-std::map<FacetId, std::vector<EdgeId>> edges_of_reflecting(const VisibleSegments& reflecting, const CutMesh& mesh,
+std::map<FacetId, std::vector<EdgeId>> edges_of_reflecting(const VisibleSegments& reflecting,
+                                                           const ProjectedScene& scene,
                                                            const VisibleSegments& visible) {
+  const CutMesh& mesh = scene.mesh();
   std::map<FacetId, std::vector<EdgeId>> edges_of;
   std::vector<bool> reflects(mesh.facet_count());
   for (const VisibleSegment& s : reflecting.segments) {
@@ -84,7 +86,7 @@ std::map<FacetId, std::vector<EdgeId>> edges_of_reflecting(const VisibleSegments
   }
   for (const VisibleSegment& s : visible.segments) {
     const FacetId surface = surface_of(mesh, s.facet);
-    if (reflects[surface.index()]) edges_of[surface].push_back(s.edge);
+    if (reflects[surface.index()] && s.edge.index() < scene.edge_count()) edges_of[surface].push_back(s.edge);
   }
   return edges_of;
 }
@@ -103,6 +105,7 @@ VisibleSegments reflecting_segments(const MergedScene& merged, std::vector<Surfa
   const CutMesh& mesh = merged.scene.mesh();
   const SweepOrder before(merged.scene, merged.segments);
   VisibleSegments result;
+  result.swap_edges = merged.segments.swap_edges;
   result.crossings = merged.segments.crossings;
   const auto upper = [&](const NumberedSegment& p) { return before(p.start, p.end) ? p.start : p.end; };
   std::ranges::stable_sort(segments, [&](const SurfaceSegment& a, const SurfaceSegment& b) {
@@ -122,7 +125,7 @@ void find_splits(VisibleSegments& reflecting, const ProjectedScene& scene, const
   const CutMesh& mesh = scene.mesh();
   if (reflecting.segments.empty()) return;
   const EdgeSides sides(scene, visible);
-  auto edges_of = edges_of_reflecting(reflecting, mesh, visible);
+  auto edges_of = edges_of_reflecting(reflecting, scene, visible);
   for_each_surface(mesh, reflecting, [&](FacetId surface, const std::vector<SegmentId>& ids) {
     auto& edges = edges_of.at(surface);
     std::ranges::sort(edges);

@@ -26,9 +26,8 @@ struct ReflectingBorders {
 template <class MirrorKind>
 class ReflectionSearch {
  public:
-  ReflectionSearch(const MirrorWorld& world, const ProjectedScene& scene, const VisibleSegments& segments,
-                   const VisiblePolygons& polygons)
-      : world_(world), scene_(scene), segments_(segments), polygons_(polygons), points_(scene, segments) {}
+  ReflectionSearch(const MirrorWorld& world, const ImagePoints& image, const VisiblePolygons& polygons)
+      : world_(world), scene_(image.scene()), segments_(image.segments()), polygons_(polygons), points_(image) {}
 
   ReflectingBorders run() {
     for (std::size_t p = 0; p < polygons_.polygons.size(); ++p) {
@@ -68,17 +67,19 @@ class ReflectionSearch {
 
   [[nodiscard]] RegionBorder border_of(std::size_t polygon) const {
     RegionBorder border;
-    for_each_segment(polygon, [&](const VisibleSegment& s) { border.push_back(border_segment(scene_, segments_, s)); });
+    for_each_segment(polygon, [&](const VisibleSegment& s) { border.push_back(border_segment(points_, s)); });
     return border;
   }
 
-  // Approximate places are off by less than one spacing.
+  // Places are off by less than one spacing.
   [[nodiscard]] WindowPart part_around(std::size_t polygon) const {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     WindowPart grid{infinity, -infinity, infinity, -infinity};
     for_each_segment(polygon, [&](const VisibleSegment& s) {
-      const Point2 p = points_.approximate(s.start);
-      grid = {std::min(grid.left, p.x), std::max(grid.right, p.x), std::min(grid.bottom, p.y), std::max(grid.top, p.y)};
+      const CertifiedPlace place = points_.certified(s.start);
+      const double x = std::ldexp(place.x, scene_.grid_bits);
+      const double y = std::ldexp(place.y, scene_.grid_bits);
+      grid = {std::min(grid.left, x), std::max(grid.right, x), std::min(grid.bottom, y), std::max(grid.top, y)};
     });
     const auto window = [this](double place) { return std::ldexp(place, -scene_.grid_bits); };
     return {window(std::floor(grid.left) - 1), window(std::ceil(grid.right) + 1), window(std::floor(grid.bottom) - 1),
@@ -89,17 +90,15 @@ class ReflectionSearch {
   const ProjectedScene& scene_;
   const VisibleSegments& segments_;
   const VisiblePolygons& polygons_;
-  const ImagePoints points_;
+  const ImagePoints& points_;
   std::optional<MirrorKind> mirror_;
   FacetId mirrored_surface_;
   ReflectingBorders found_;
 };
 
-ReflectingBorders find_borders(const MirrorWorld& world, const ProjectedScene& scene, const VisibleSegments& segments,
-                               const VisiblePolygons& polygons) {
-  return world.options.mode == ReflectionMode::smooth
-             ? ReflectionSearch<SmoothMirror>(world, scene, segments, polygons).run()
-             : ReflectionSearch<Mirror>(world, scene, segments, polygons).run();
+ReflectingBorders find_borders(const MirrorWorld& world, const ImagePoints& image, const VisiblePolygons& polygons) {
+  return world.options.mode == ReflectionMode::smooth ? ReflectionSearch<SmoothMirror>(world, image, polygons).run()
+                                                      : ReflectionSearch<Mirror>(world, image, polygons).run();
 }
 
 std::vector<SurfaceSegment> border_of_panel(const ReflectingBorders& borders, std::size_t panel,
@@ -158,7 +157,9 @@ PanelBorders panel_borders(const Reflections& reflections) {
 ReflectedView find_reflections(const MirrorWorld& world, ProjectedScene scene, VisibleSegments segments,
                                const VisiblePolygons& polygons) {
   return with_invariants_of(scene.arithmetic, [&] {
-    const ReflectingBorders borders = find_borders(world, scene, segments, polygons);
+    const ImagePoints image(scene, segments);
+    const ReflectingBorders borders = find_borders(world, image, polygons);
+    if (scene.is_unrounded()) return reflected_view(world, borders, merge(image, borders.segments));
     return reflected_view(world, borders, merge(std::move(scene), std::move(segments), borders.segments));
   });
 }

@@ -1,31 +1,42 @@
 // Lines and places of the image by value: what is found in the mirror is put together from several scenes, whose ids
 // mean nothing to each other.
 //
-// A line runs from one grid point to another, top to bottom in sweep order. A place is a grid point, or the point where
-// two lines cross. Everything is exact; the same place may be known in several ways.
+// A line runs from one grid point to another, top to bottom in sweep order; or it is that of an edge of an image that is not
+// rounded. A place is a grid point, the point where two lines cross, or a point of an image that is not rounded. Everything
+// is exact; the same place may be known in several ways.
 // Complexity: O(1) each.
 #pragma once
 
 #include <vector>
 
 #include "sweep/segments/crossing_point.h"
+#include "sweep/segments/image_points.h"
 
 namespace sightline::inline reflect {
 
 struct ImageLine {
   ImagePoint top;
   ImagePoint bottom;
+  const ImagePoints* image = nullptr;  // not null: the line is that of this edge of it, and has no grid points
+  EdgeId edge;
   friend constexpr bool operator==(const ImageLine&, const ImageLine&) = default;
 };
 
 struct ImagePlace {
-  CrossingPoint at;  // of a grid point: the base, without an offset
+  CrossingPoint at;  // of a grid point: the base, without an offset; of what is not on the grid's lines: x and y only
   bool on_grid = false;
-  ImageLine a;  // the lines that cross here, where it is no grid point
+  ImageLine a;  // the lines that cross here, where it is no grid point and no point of an image
   ImageLine b;
+  const ImagePoints* image = nullptr;  // not null: the place is that of this point of it
+  PointId point;
+  double radius = crossing_error;  // of x and y, in spacings
 };
 
 [[nodiscard]] ImagePlace grid_place(const ImagePoint& p);
+
+// Returns the place of a point of an image, on the grid or not; the image outlives it where it is not.
+[[nodiscard]] ImagePlace image_place(const ImagePoints& image, PointId p);
+[[nodiscard]] ImageLine image_line(const ImagePoints& image, EdgeId e);
 
 // Precondition: the lines are not parallel.
 [[nodiscard]] ImagePlace crossing_place(const ImageLine& a, const ImageLine& b);

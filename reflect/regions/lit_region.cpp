@@ -8,7 +8,7 @@ namespace sightline::inline reflect {
 namespace {
 
 ImageLine line_between(const ImagePoint& p, const ImagePoint& q) {
-  return sweeps_before(p, q) ? ImageLine{p, q} : ImageLine{q, p};
+  return sweeps_before(p, q) ? ImageLine{p, q, nullptr, {}} : ImageLine{q, p, nullptr, {}};
 }
 
 // Returns twice the signed area.
@@ -28,23 +28,10 @@ void add_border(RegionBorder& border, ImagePolygon polygon) {
   }
 }
 
-ImagePlace place_of(const ProjectedScene& scene, const VisibleSegments& segments, PointId p) {
-  if (p.index() < scene.points.size()) return grid_place(scene.point(p));
-  const Crossing& crossing = segments.crossings[p.index() - scene.points.size()];
-  const auto line = [&](EdgeId e) {
-    return ImageLine{scene.point(scene.edge(e).top), scene.point(scene.edge(e).bottom)};
-  };
-  return crossing_place(line(crossing.a), line(crossing.b));
-}
-
 }  // namespace
 
-BorderSegment border_segment(const ProjectedScene& scene, const VisibleSegments& segments,
-                             const VisibleSegment& segment) {
-  const SceneEdge& edge = scene.edge(segment.edge);
-  return {place_of(scene, segments, segment.start),
-          place_of(scene, segments, segment.end),
-          {scene.point(edge.top), scene.point(edge.bottom)}};
+BorderSegment border_segment(const ImagePoints& image, const VisibleSegment& segment) {
+  return {image_place(image, segment.start), image_place(image, segment.end), image_line(image, segment.edge)};
 }
 
 RegionBorder lit_region(const std::vector<ImagePolygon>& panel, const std::vector<ImagePolygon>& shadows,
@@ -60,9 +47,9 @@ RegionBorder lit_region(const std::vector<ImagePolygon>& panel, const std::vecto
   for (const ImagePolygon& polygon : shadows) sheets.add(polygon, 1);
   const ProjectedScene scene = project(sheets.mesh(), straight_down(), Sides::both, {Arithmetic::exact, grid_bits});
   const VisibleSegments segments = plain_sweep(scene);
+  const ImagePoints image(scene, segments);
   for (const VisibleSegment& segment : segments.segments) {
-    if (scene.mesh().facet_face[segment.facet.index()].index() < lit)
-      border.push_back(border_segment(scene, segments, segment));
+    if (scene.mesh().facet_face[segment.facet.index()].index() < lit) border.push_back(border_segment(image, segment));
   }
   return border;
 }

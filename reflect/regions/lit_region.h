@@ -21,7 +21,7 @@ namespace sightline::inline reflect {
 [[nodiscard]] RegionBorder lit_region(const std::vector<ImagePolygon>& panel, const std::vector<ImagePolygon>& shadows,
                                       int grid_bits);
 
-[[nodiscard]] BorderSegment border_segment(const ProjectedScene& scene, const VisibleSegments& segments,
-                                           const VisibleSegment& segment);
+// The image outlives what is made of it where it is not rounded (image_place.h).
+[[nodiscard]] BorderSegment border_segment(const ImagePoints& image, const VisibleSegment& segment);
 
 }  // namespace sightline::inline reflect

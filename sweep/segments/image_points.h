@@ -44,6 +44,9 @@ class ImagePoints final : public EdgeTurns {
 
   [[nodiscard]] bool sweeps_before(PointId a, PointId b) const { return order_(a, b); }
   [[nodiscard]] const SweepOrder& order() const { return order_; }
+  // Null on the grid.
+  [[nodiscard]] const UnroundedImage* unrounded() const { return unrounded_.get(); }
+  [[nodiscard]] const ProjectedScene& scene() const { return *scene_; }
   [[nodiscard]] const VisibleSegments& segments() const { return *segments_; }
 
  private:

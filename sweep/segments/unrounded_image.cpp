@@ -26,8 +26,7 @@ UnroundedImage::Way UnroundedImage::computed_direction(EdgeId e) const {
 
 Sign UnroundedImage::side(EdgeId e, const Place& place) const {
   if (place.a == e || place.b == e) return 0;
-  const CertifiedPlace near = certified(place);
-  const auto sign = certain_sign(is_swap_edge(e) ? swap_side(e, near) : determinant(direction(e), way(top(e), near)));
+  const auto sign = certain_sign(distance_right_of(e, certified(place)));
   if (sign) return *sign;
   const std::lock_guard lock(memory_->lock);
   ++memory_->counts.exact_sides;
@@ -113,6 +112,11 @@ ExactPlace UnroundedImage::exact(PointId p) const {
 ExactPlace UnroundedImage::exact(const Place& place) const {
   const std::lock_guard lock(memory_->lock);
   return meeting(place);
+}
+
+ExactLine UnroundedImage::exact_line(EdgeId e) const {
+  const std::lock_guard lock(memory_->lock);
+  return line(e);
 }
 
 UnroundedCounts UnroundedImage::counts() const {

@@ -55,6 +55,24 @@ class UnroundedImage {
   [[nodiscard]] Sign side(EdgeId e, PointId p) const;
   [[nodiscard]] Sign side(EdgeId e, const Place& place) const;
 
+  // Returns by how much a place is right of an edge, in units of its own, up to a radius.
+  [[nodiscard]] Bounded distance_right_of(EdgeId e, const CertifiedPlace& place) const {
+    return is_swap_edge(e) ? swap_side(e, place) : determinant(direction(e), way(top(e), place));
+  }
+
+  // A way is a difference of two places, or the direction of a line, of any length.
+  struct Way {
+    double x = 0;
+    double y = 0;
+    double radius = 0;
+  };
+  [[nodiscard]] static Way way(const CertifiedPlace& from, const CertifiedPlace& to);
+  [[nodiscard]] Way direction(EdgeId e) const {
+    return e.index() < directions_.size() ? directions_[e.index()] : computed_direction(e);
+  }
+  // Positive where e turns left of d.
+  [[nodiscard]] static Bounded determinant(const Way& d, const Way& e);
+
   // Returns the y of a place with its radius.
   [[nodiscard]] Bounded height(EdgeId a, EdgeId b) const;
   [[nodiscard]] Bounded height(PointId p) const { return {certified(p).y, certified(p).radius}; }
@@ -74,17 +92,11 @@ class UnroundedImage {
 
   [[nodiscard]] ExactPlace exact(PointId p) const;
   [[nodiscard]] ExactPlace exact(const Place& place) const;
+  [[nodiscard]] ExactLine exact_line(EdgeId e) const;
 
   [[nodiscard]] UnroundedCounts counts() const;
 
  private:
-  // A way is a difference of two places, or the direction of a swap edge, of any length.
-  struct Way {
-    double x = 0;
-    double y = 0;
-    double radius = 0;
-  };
-
   // What integers found out, kept behind a lock. No result depends on its order: it is only looked up.
   struct Memory {
     std::mutex lock;
@@ -96,13 +108,8 @@ class UnroundedImage {
   };
 
   [[nodiscard]] static double size(double x, double y) { return std::fabs(x) + std::fabs(y); }
-  [[nodiscard]] static Way way(const CertifiedPlace& from, const CertifiedPlace& to);
-  [[nodiscard]] static Bounded determinant(const Way& d, const Way& e);
   [[nodiscard]] const SceneEdge& edge(EdgeId e) const { return scene_.edges[e.index()]; }
   [[nodiscard]] const CertifiedPlace& top(EdgeId e) const { return certified(edge(e).top); }
-  [[nodiscard]] Way direction(EdgeId e) const {
-    return e.index() < directions_.size() ? directions_[e.index()] : computed_direction(e);
-  }
   [[nodiscard]] Way computed_direction(EdgeId e) const;
   [[nodiscard]] Bounded share_along(EdgeId a, EdgeId b) const;
   [[nodiscard]] CertifiedPlace filtered_place(const Place& place) const;

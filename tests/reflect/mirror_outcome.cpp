@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+
 #include "geometry/mesh/area.h"
 #include "tests/tools/analyzed.h"
 
@@ -16,6 +18,20 @@ double area_on_surface(const LabelledMesh& labelled, std::size_t panel) {
     sum += area(labelled, t);
   }
   return sum;
+}
+
+// What is not rounded shows the same, but for what rounding moves: the image of the panel is the same, on the grid, and the
+// places of the mirror's corners were moved by up to half a spacing.
+void check_without_rounding(const MirrorWorld& world, const Camera& camera, const MirrorOutcome& outcome) {
+  if (world.options.mode == ReflectionMode::triangles) return;
+  const View view = analyzed(world, camera, {Arithmetic::unrounded});
+  CHECK(lattice::joined(lattice::complaints_of_stages(view)) == "");
+  for (std::size_t p = 0; p < outcome.areas.size(); ++p) {
+    const PanelReflection& panel = view.reflections.panels[p];
+    CHECK(validate(panel.polygons, view.scene, panel.segments) == std::vector<std::string>{});
+    const double area = area_on_surface(view.labelled, p);
+    CHECK(std::fabs(area - outcome.areas[p]) <= 1e-7 * (1 + outcome.areas[p]));
+  }
 }
 
 }  // namespace
@@ -66,6 +82,7 @@ MirrorOutcome reflected(const AnyMesh& mesh, const std::vector<Panel>& panels, c
     CHECK(validate(panel.polygons, view.scene, panel.segments) == std::vector<std::string>{});
     outcome.areas.push_back(area_on_surface(view.labelled, p));
   }
+  check_without_rounding(world, camera, outcome);
   return outcome;
 }
 

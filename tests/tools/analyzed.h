@@ -28,8 +28,9 @@ inline ProjectedScene project(const AnyMesh& mesh, const Camera& camera, Sides s
 }
 
 // The panels of the world are reflected.
-inline View analyzed(const MirrorWorld& world, const Camera& camera) {
-  return Analyzer(world.surface, {.sides = SidesPolicy::both, .reflection = world.options}).view(camera, world);
+inline View analyzed(const MirrorWorld& world, const Camera& camera, const Precision& precision = {}) {
+  return Analyzer(world.surface, {.sides = SidesPolicy::both, .precision = precision, .reflection = world.options})
+      .view(camera, world);
 }
 
 inline MirrorWorld mirror_world(const AnyMesh& mesh, std::vector<Panel> panels, const ReflectionOptions& options = {},
