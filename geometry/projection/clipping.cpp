@@ -5,21 +5,18 @@
 #include "geometry/projection/camera_forms.h"
 
 namespace sightline::inline geometry {
-namespace {
-
-using Polygon = std::vector<ExactCorner>;
-
-using Vector = CameraForms<BigInteger>::Vector;
-
 // This has the camera and the facet's vertices as integers over one power of two.
 class CommonScale {
  public:
   CommonScale(const Camera& camera, std::span<const Point3> vertices)
-      : exponent_(common_exponent(camera, vertices)), forms_(integer_forms(camera, exponent_)) {}
+      : CommonScale(camera, common_exponent(camera, vertices)) {}
+  CommonScale(const Camera& camera, int exponent) : exponent_(exponent), forms_(integer_forms(camera, exponent_)) {}
+
+  [[nodiscard]] int exponent() const { return exponent_; }
 
   // Every coordinate of v / weight is of degree two in the scaled numbers and of degree one in v and weight, so that all
   // share the factor `one`.
-  [[nodiscard]] ExactCorner corner(const Vector& v, const BigInteger& weight) const {
+  [[nodiscard]] ExactCorner corner(const CameraForms<BigInteger>::Vector& v, const BigInteger& weight) const {
     const CameraPlace<BigInteger> place = forms_.at(v, weight);
     ExactCorner corner;
     corner.x = place.x;
@@ -48,6 +45,10 @@ class CommonScale {
   int exponent_;
   CameraForms<BigInteger> forms_;
 };
+
+namespace {
+
+using Polygon = std::vector<ExactCorner>;
 
 // Where the segment from `inside` (WEC > 0) to `outside` (WEC < 0) meets the bound: Fang's equation 5.7 without the
 // division.
@@ -116,6 +117,17 @@ ExactCorner exact_corner(const Point3& vertex, const Camera& camera) {
 
 ExactCorner exact_corner(const CutMesh& mesh, VertexId vertex, const Camera& camera) {
   return CommonScale(camera, std::span(&mesh.position(vertex), 1)).corner(mesh, vertex);
+}
+
+ExactCorners::ExactCorners(const Camera& camera) : camera_(camera) {}
+ExactCorners::~ExactCorners() = default;
+
+ExactCorner ExactCorners::of(const CutMesh& mesh, VertexId vertex) {
+  const Point3& position = mesh.position(vertex);
+  int finest = scale_ ? scale_->exponent() : common_exponent(camera_);
+  for (const double c : position) finest = c == 0 ? finest : std::min(finest, dyadic(c).exponent);
+  if (!scale_ || finest < scale_->exponent()) scale_ = std::make_unique<CommonScale>(camera_, finest);
+  return scale_->corner(mesh, vertex);
 }
 
 ImagePoint round_to_grid(const ExactCorner& corner, int grid_bits) {

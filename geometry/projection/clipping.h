@@ -12,6 +12,7 @@
 // has nothing strictly inside is out of view.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "geometry/mesh/cut_mesh.h"
@@ -41,6 +42,24 @@ struct ExactCorner {
 // Returns the corner of a facet that one vertex makes, unclipped.
 [[nodiscard]] ExactCorner exact_corner(const Point3& vertex, const Camera& camera);
 [[nodiscard]] ExactCorner exact_corner(const CutMesh& mesh, VertexId vertex, const Camera& camera);
+
+class CommonScale;
+
+// The same for many vertices: the camera's numbers become integers once, or again where a vertex needs a finer unit. So the
+// factor of a corner depends on what was asked before. Not for several threads at once.
+class ExactCorners {
+ public:
+  explicit ExactCorners(const Camera& camera);  // outlives it
+  ExactCorners(const ExactCorners&) = delete;
+  ExactCorners& operator=(const ExactCorners&) = delete;
+  ~ExactCorners();
+
+  [[nodiscard]] ExactCorner of(const CutMesh& mesh, VertexId vertex);
+
+ private:
+  const Camera& camera_;
+  std::unique_ptr<CommonScale> scale_;
+};
 
 // Returns the window edge coordinates of the left, right, bottom, top, near and far bound, each up to a positive
 // factor: they are negative outside. A bound that the camera does not have is satisfied.

@@ -18,7 +18,11 @@
 namespace sightline::inline geometry {
 namespace {
 
-std::vector<ProjectedVertex> project_vertices(const CutMesh& mesh, const Camera& camera, const Precision& precision) {
+// places: of the vertices in the view volume, where nothing is to be rounded.
+std::vector<ProjectedVertex> project_vertices(const CutMesh& mesh, const Camera& camera, const Precision& precision,
+                                              std::vector<CertifiedPlace>& places) {
+  const bool is_unrounded = precision.arithmetic == Arithmetic::unrounded;
+  if (is_unrounded) places.resize(mesh.vertices.size());
   std::vector<ProjectedVertex> projected(mesh.vertices.size());
   std::vector<std::uint8_t> used(mesh.vertices.size(), 0);
   parallel_for_each(mesh.facets.corners.size(), [&](std::size_t corner) {
@@ -26,6 +30,12 @@ std::vector<ProjectedVertex> project_vertices(const CutMesh& mesh, const Camera&
   });
   parallel_for_each(used.size(), [&](std::size_t v) {
     if (used[v] == 0) return;
+    if (is_unrounded) {
+      const UnroundedVertex vertex = project_unrounded(mesh, VertexId(v), camera, precision.grid_bits);
+      projected[v] = vertex.projected;
+      places[v] = vertex.place;
+      return;
+    }
     projected[v] = project_vertex(mesh, VertexId(v), camera, precision.grid_bits);
     if (!is_exact(precision.arithmetic) && projected[v].strictly_outside == 0) {
       projected[v].image = unfiltered::image_point(precision, mesh.vertices[v], camera);
@@ -70,7 +80,9 @@ struct Place {
 class SceneBuilder {
  public:
   SceneBuilder(std::shared_ptr<const CutMesh> mesh, const Camera& camera, Sides sides, const Precision& precision)
-      : mesh_(*mesh), projected_(project_vertices(*mesh, camera, precision)), point_of_vertex_(mesh->vertices.size()) {
+      : mesh_(*mesh),
+        projected_(project_vertices(*mesh, camera, precision, unrounded_)),
+        point_of_vertex_(mesh->vertices.size()) {
     scene_.surface = std::move(mesh);
     scene_.camera = camera;
     scene_.sides_shown = sides;
@@ -83,7 +95,8 @@ class SceneBuilder {
     find_statuses();
     add_corners();
     if (scene_.is_unrounded()) {
-      number_unrounded_points(scene_);
+      number_unrounded_points(scene_, unrounded_);
+      unrounded_ = {};
     } else {
       number_points();
     }
@@ -255,6 +268,7 @@ class SceneBuilder {
   }
 
   const CutMesh& mesh_;
+  std::vector<CertifiedPlace> unrounded_;  // per vertex, or empty
   std::vector<ProjectedVertex> projected_;
   std::vector<PointId> point_of_vertex_;       // invalid where no facet in view has the vertex
   std::vector<std::vector<Clipped>> clipped_;  // per range of facets, by facet

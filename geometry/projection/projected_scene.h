@@ -87,6 +87,7 @@ struct UnroundedPoints {
   struct Source {
     VertexId vertex;
     MadeCornerId made;
+    friend bool operator==(const Source&, const Source&) = default;
   };
   std::vector<CertifiedPlace> places;  // per point
   std::vector<Source> sources;         // per point

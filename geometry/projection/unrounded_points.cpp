@@ -1,19 +1,21 @@
 #include "geometry/projection/unrounded_points.h"
 
+#include <tbb/parallel_sort.h>
+
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <optional>
+#include <mutex>
+#include <unordered_map>
 
 #include "geometry/numbers/bounded.h"
-#include "geometry/projection/camera_forms.h"
 
 namespace sightline::inline geometry {
 namespace {
 
 class PointNumbering {
  public:
-  explicit PointNumbering(ProjectedScene& scene) : scene_(scene), forms_(scene.camera) {}
+  PointNumbering(ProjectedScene& scene, const std::vector<CertifiedPlace>& of_vertices)
+      : scene_(scene), of_vertices_(of_vertices), corners_(scene.camera) {}
 
   void run() {
     find_places_of_vertices();
@@ -26,84 +28,68 @@ class PointNumbering {
   struct Found {
     CertifiedPlace certified;
     UnroundedPoints::Source source;
-    std::optional<ExactPlace> exact;  // once somebody asked
   };
 
   [[nodiscard]] VertexId welded(VertexId v) const { return scene_.mesh().weld[v.index()]; }
 
   // Vertices at one position have one place.
   void find_places_of_vertices() {
-    std::vector<std::uint8_t> in_view(scene_.mesh().vertices.size(), 0);
+    std::vector<VertexId> in_view(scene_.mesh().vertices.size());
     for (const ClippedCorner& corner : scene_.polygon_corners) {
-      if (corner.vertex.valid()) in_view[welded(corner.vertex).index()] = 1;
+      if (corner.vertex.valid()) in_view[welded(corner.vertex).index()] = corner.vertex;
     }
-    for (std::size_t v = 0; v < in_view.size(); ++v) {
-      if (in_view[v] != 0) found_.push_back({certified_place(VertexId(v)), {VertexId(v), {}}, {}});
+    for (const VertexId v : in_view) {
+      if (v.valid()) found_.push_back({of_vertices_[v.index()], {v, {}}});
     }
-  }
-
-  [[nodiscard]] CertifiedPlace certified_place(VertexId v) const {
-    if (v.index() < scene_.mesh().input_vertex_count()) {
-      const CameraPlace<Bounded> place = forms_.at(bounded(scene_.mesh().position(v)));
-      const Bounded x = place.x / place.w;
-      const Bounded y = place.y / place.w;
-      if (x.radius < largest_radius && y.radius < largest_radius)
-        return {x.value, y.value, std::max(x.radius, y.radius)};
-    }
-    return certified(place_of_vertex(v));
-  }
-
-  [[nodiscard]] ExactPlace place_of_vertex(VertexId v) const {
-    return place_of(exact_corner(scene_.mesh(), v, scene_.camera));
   }
 
   void find_places_of_made_corners() {
-    const ProjectedScene& scene = scene_;
-    std::vector<ExactPlace> made(scene.made_corners.size());
-    for (std::size_t f = 0; f < scene.status.size(); ++f) {
-      const auto polygon = scene.polygon(FacetId(f));
+    std::vector<ExactPlace> made(scene_.made_corners.size());
+    for (std::size_t f = 0; f < scene_.status.size(); ++f) {
+      const auto polygon = scene_.polygon(FacetId(f));
       const auto is_made = [](const ClippedCorner& corner) { return corner.made.valid(); };
       if (std::ranges::none_of(polygon, is_made)) continue;
-      const std::vector<ExactCorner> clipped = clip(scene.mesh(), scene.camera, FacetId(f));
+      const std::vector<ExactCorner> clipped = clip(scene_.mesh(), scene_.camera, FacetId(f));
       for (std::size_t i = 0; i < polygon.size(); ++i) {
         if (!is_made(polygon[i])) continue;
-        const ExactPlace place = place_of(clipped[i]);
-        made[polygon[i].made.index()] = place;
-        found_.push_back({certified(place), {{}, polygon[i].made}, place});
+        ExactPlace& place = made[polygon[i].made.index()];
+        place = place_of(clipped[i]);
+        found_.push_back({certified(place), {{}, polygon[i].made}});
       }
     }
     scene_.unrounded.made = std::make_shared<const std::vector<ExactPlace>>(std::move(made));
   }
 
-  const ExactPlace& exact(Found& place) const {
-    if (!place.exact) place.exact = place_of_vertex(place.source.vertex);
-    return *place.exact;
-  }
-
   // Heights further apart than both radii are in that order; the difference rounds once.
-  [[nodiscard]] int compare(std::uint32_t a, std::uint32_t b) {
-    const CertifiedPlace& p = found_[a].certified;
-    const CertifiedPlace& q = found_[b].certified;
+  [[nodiscard]] int compare(const Found& a, const Found& b) {
+    const CertifiedPlace& p = a.certified;
+    const CertifiedPlace& q = b.certified;
     const double apart = q.y - p.y;
     if (std::fabs(apart) > Bounded::widened(p.radius + q.radius + 0x1p-52 * std::fabs(apart)))
       return apart > 0 ? 1 : -1;
-    return a == b ? 0 : sweep_compare(exact(found_[a]), exact(found_[b]));
+    if (a.source == b.source) return 0;
+    const std::lock_guard lock(lock_);
+    return sweep_compare(exact(a.source), exact(b.source));
+  }
+
+  // Precondition: the lock is held. What was worked out once is kept.
+  const ExactPlace& exact(const UnroundedPoints::Source& source) {
+    if (!source.vertex.valid()) return (*scene_.unrounded.made)[source.made.index()];
+    const auto [known, is_new] = exact_.try_emplace(source.vertex.value);
+    if (is_new) known->second = place_of(corners_.of(scene_.mesh(), source.vertex));
+    return known->second;
   }
 
   void number_points() {
-    std::vector<std::uint32_t> order(found_.size());
-    std::iota(order.begin(), order.end(), 0U);
-    std::sort(order.begin(), order.end(), [this](std::uint32_t a, std::uint32_t b) { return compare(a, b) < 0; });
-    ProjectedScene& scene = scene_;
-    std::vector<PointId> of_vertex(scene.mesh().vertices.size());
-    std::vector<PointId> of_made(scene.made_corners.size());
-    for (std::size_t i = 0; i < order.size(); ++i) {
-      if (i == 0 || compare(order[i - 1], order[i]) != 0) add_point(found_[order[i]]);
-      const UnroundedPoints::Source& source = found_[order[i]].source;
-      (source.vertex.valid() ? of_vertex[source.vertex.index()] : of_made[source.made.index()]) =
-          PointId(scene.points.size() - 1);
+    tbb::parallel_sort(found_.begin(), found_.end(), [this](const Found& a, const Found& b) { return compare(a, b) < 0; });
+    std::vector<PointId> of_vertex(scene_.mesh().vertices.size());
+    std::vector<PointId> of_made(scene_.made_corners.size());
+    for (std::size_t i = 0; i < found_.size(); ++i) {
+      if (i == 0 || compare(found_[i - 1], found_[i]) != 0) add_point(found_[i]);
+      const auto& [vertex, made] = found_[i].source;
+      (vertex.valid() ? of_vertex[welded(vertex).index()] : of_made[made.index()]) = PointId(scene_.points.size() - 1);
     }
-    for (ClippedCorner& corner : scene.polygon_corners)
+    for (ClippedCorner& corner : scene_.polygon_corners)
       corner.point = corner.vertex.valid() ? of_vertex[welded(corner.vertex).index()] : of_made[corner.made.index()];
   }
 
@@ -115,22 +101,32 @@ class PointNumbering {
   }
 
   ProjectedScene& scene_;
-  const CameraForms<Bounded> forms_;
+  const std::vector<CertifiedPlace>& of_vertices_;
   std::vector<Found> found_;
+  std::mutex lock_;
+  ExactCorners corners_;
+  std::unordered_map<std::uint32_t, ExactPlace> exact_;  // only looked up
 };
 
 }  // namespace
 
-void number_unrounded_points(ProjectedScene& scene) { PointNumbering(scene).run(); }
+void number_unrounded_points(ProjectedScene& scene, const std::vector<CertifiedPlace>& of_vertices) {
+  PointNumbering(scene, of_vertices).run();
+}
 
 ExactPlace exact_place(const ProjectedScene& scene, PointId p) {
+  ExactCorners corners(scene.camera);
+  return exact_place(scene, p, corners);
+}
+
+ExactPlace exact_place(const ProjectedScene& scene, PointId p, ExactCorners& corners) {
   if (!scene.is_unrounded()) {
     const ImagePoint& point = scene.point(p);
     return {point.x, point.y, BigInteger(1) << static_cast<unsigned>(scene.grid_bits)};
   }
   const UnroundedPoints::Source& source = scene.unrounded.sources[p.index()];
   if (!source.vertex.valid()) return (*scene.unrounded.made)[source.made.index()];
-  return place_of(exact_corner(scene.mesh(), source.vertex, scene.camera));
+  return place_of(corners.of(scene.mesh(), source.vertex));
 }
 
 }  // namespace sightline::inline geometry

@@ -1,6 +1,8 @@
 #include "geometry/projection/vertex_projection.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "geometry/numbers/bounded.h"
 #include "geometry/projection/camera_forms.h"
@@ -41,6 +43,22 @@ void set_outcode(ProjectedVertex& vertex, std::size_t bound, Sign wec) {
   if (wec <= 0) vertex.on_or_outside |= bit;
 }
 
+// Returns the outcode; nothing where the error bound does not decide every bound.
+std::optional<ProjectedVertex> certain_outcode(const Camera& camera, const CameraPlace<Bounded>& place) {
+  ProjectedVertex result;
+  const auto wecs = window_edge_coordinates(camera, place);
+  for (std::size_t bound = 0; bound < wecs.size(); ++bound) {
+    const auto decided = certain_sign(wecs[bound]);
+    if (!decided) return std::nullopt;
+    set_outcode(result, bound, *decided);
+  }
+  return result;
+}
+
+ImagePoint near_grid_point(const CertifiedPlace& place, int grid_bits) {
+  return {std::llround(std::ldexp(place.x, grid_bits)), std::llround(std::ldexp(place.y, grid_bits))};
+}
+
 ProjectedVertex projected(const ExactCorner& corner, const Camera& camera, int grid_bits) {
   ProjectedVertex result;
   const std::vector<BigInteger> wecs = window_edge_coordinates(camera, corner);
@@ -57,19 +75,13 @@ namespace projection_tiers {
 
 std::optional<ProjectedVertex> filtered(const Point3& v, const Camera& camera, int grid_bits) {
   const CameraPlace<Bounded> place = certified_place(v, camera);
-  ProjectedVertex result;
-  const auto wecs = window_edge_coordinates(camera, place);
-  for (std::size_t bound = 0; bound < wecs.size(); ++bound) {
-    const auto decided = certain_sign(wecs[bound]);
-    if (!decided) return std::nullopt;
-    set_outcode(result, bound, *decided);
-  }
-  if (result.strictly_outside != 0) return result;
+  auto result = certain_outcode(camera, place);
+  if (!result || result->strictly_outside != 0) return result;
   const auto image_x = certain_integer(place.x / place.w, grid_bits);
   const auto image_y = certain_integer(place.y / place.w, grid_bits);
   if (!image_x || !image_y) return std::nullopt;
-  result.image = {*image_x, *image_y};
-  result.w = place.w.value;
+  result->image = {*image_x, *image_y};
+  result->w = place.w.value;
   return result;
 }
 
@@ -78,6 +90,27 @@ ProjectedVertex exact(const Point3& v, const Camera& camera, int grid_bits) {
 }
 
 }  // namespace projection_tiers
+
+// A place that is off by too much is worked out exactly.
+UnroundedVertex project_unrounded(const CutMesh& mesh, VertexId vertex, const Camera& camera, int grid_bits) {
+  if (vertex.index() < mesh.input_vertex_count()) {
+    const CameraPlace<Bounded> place = certified_place(mesh.position(vertex), camera);
+    if (auto result = certain_outcode(camera, place)) {
+      if (result->strictly_outside != 0) return {*result, {}};
+      const Bounded x = place.x / place.w;
+      const Bounded y = place.y / place.w;
+      if (x.radius < largest_radius && y.radius < largest_radius) {
+        const CertifiedPlace found{x.value, y.value, std::max(x.radius, y.radius)};
+        result->image = near_grid_point(found, grid_bits);
+        result->w = place.w.value;
+        return {*result, found};
+      }
+    }
+  }
+  const ExactCorner corner = exact_corner(mesh, vertex, camera);
+  const ProjectedVertex result = projected(corner, camera, grid_bits);
+  return {result, result.strictly_outside != 0 || corner.w == 0 ? CertifiedPlace{} : certified(place_of(corner))};
+}
 
 ProjectedVertex project_vertex(const Point3& vertex, const Camera& camera, int grid_bits) {
   const auto fast = projection_tiers::filtered(vertex, camera, grid_bits);

@@ -13,6 +13,7 @@
 #include "geometry/mesh/cut_mesh.h"
 #include "geometry/numbers/image_point.h"
 #include "geometry/projection/camera.h"
+#include "geometry/projection/exact_place.h"
 
 namespace sightline::inline geometry {
 
@@ -22,6 +23,13 @@ struct ProjectedVertex {
   ImagePoint image;  // where strictly_outside is 0
   double w = 1;      // likewise
 };
+
+// Without rounding the image is any grid point within a spacing, and the place itself is known up to its radius.
+struct UnroundedVertex {
+  ProjectedVertex projected;
+  CertifiedPlace place;  // where strictly_outside is 0
+};
+[[nodiscard]] UnroundedVertex project_unrounded(const CutMesh& mesh, VertexId vertex, const Camera& camera, int grid_bits);
 
 [[nodiscard]] ProjectedVertex project_vertex(const Point3& vertex, const Camera& camera, int grid_bits);
 

@@ -4,7 +4,6 @@
 #include <tuple>
 
 #include "geometry/numbers/errors.h"
-#include "reconstruct/labelling/exact_lift.h"
 #include "reconstruct/labelling/lift.h"
 
 namespace sightline::inline reconstruct {
@@ -23,10 +22,11 @@ EdgePoints::EdgePoints(const ProjectedScene& scene, const VisibleSegments& segme
     };
     return key(a) < key(b);
   });
+  EdgeLift lift(scene);
   for (std::size_t i = 0; i < found.size(); ++i) {
     if (i > 0 && found[i].edge == found[i - 1].edge && found[i].point == found[i - 1].point) continue;
     points_.push_back({found[i].point, VertexId(vertices.size())});
-    vertices.push_back(position(found[i], scene, points));
+    vertices.push_back(position(found[i], scene, points, lift));
     ++begin_[found[i].edge.index() + 1];
   }
   for (std::size_t e = 1; e < begin_.size(); ++e) begin_[e] += begin_[e - 1];
@@ -82,9 +82,10 @@ bool EdgePoints::before_on_edge(const Candidate& a, const Candidate& b, const Im
   return downwards ? points.sweeps_before(a.point, b.point) : points.sweeps_before(b.point, a.point);
 }
 
-Point3 EdgePoints::position(const Candidate& c, const ProjectedScene& scene, const ImagePoints& points) const {
+Point3 EdgePoints::position(const Candidate& c, const ProjectedScene& scene, const ImagePoints& points,
+                            EdgeLift& lift) const {
   if (c.made != nullptr) return c.made->position;
-  if (scene.is_unrounded()) return exact_lift_on_edge(scene, c.edge, points.exact(c.point));
+  if (scene.is_unrounded()) return lift(c.edge, points.exact(c.point));
   const InView& view = in_view(c.edge);
   return lift_on_edge(scene, points, *view.from, *view.to, c.point);
 }

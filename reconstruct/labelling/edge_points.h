@@ -12,6 +12,7 @@
 
 #include "geometry/mesh/cut_mesh.h"
 #include "geometry/projection/projected_scene.h"
+#include "reconstruct/labelling/exact_lift.h"
 #include "sweep/segments/image_points.h"
 #include "sweep/segments/visible_segments.h"
 
@@ -54,7 +55,8 @@ class EdgePoints {
   [[nodiscard]] static InView in_view_of(const ProjectedScene& scene, MeshEdgeId edge, FacetId facet);
   [[nodiscard]] static std::vector<Candidate> candidates(const ProjectedScene& scene, const VisibleSegments& segments);
   [[nodiscard]] bool before_on_edge(const Candidate& a, const Candidate& b, const ImagePoints& points) const;
-  [[nodiscard]] Point3 position(const Candidate& c, const ProjectedScene& scene, const ImagePoints& points) const;
+  [[nodiscard]] Point3 position(const Candidate& c, const ProjectedScene& scene, const ImagePoints& points,
+                                EdgeLift& lift) const;
 
   [[nodiscard]] const InView& in_view(MeshEdgeId edge) const { return in_view_[slot_[edge.index()] - 1]; }
 

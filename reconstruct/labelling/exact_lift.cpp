@@ -32,25 +32,24 @@ BigInteger determinant(const ExactLine& line, const ExactPlace& place) {
 }  // namespace
 
 // The cross products of the three places are parallel, so one of their components says the numbers.
-Point3 exact_lift_on_edge(const ProjectedScene& scene, MeshEdgeId edge, const ExactPlace& place) {
-  const CutMesh& mesh = scene.mesh();
-  const auto& [from, to] = mesh.edges[edge.index()];
-  const std::array corners{exact_corner(mesh, from, scene.camera), exact_corner(mesh, to, scene.camera)};
+Point3 EdgeLift::operator()(MeshEdgeId edge, const ExactPlace& place) {
+  const auto& [from, to] = mesh_.edges[edge.index()];
+  const std::array corners{exact_corners_.of(mesh_, from), exact_corners_.of(mesh_, to)};
   const ExactLine to_second = line_through(place, place_of(corners[1]));
   const ExactLine from_first = line_through(place_of(corners[0]), place);
   for (const auto component : {&ExactLine::a, &ExactLine::b, &ExactLine::c}) {
     if (to_second.*component != 0 || from_first.*component != 0)
       return combined<2>(corners, {to_second.*component, from_first.*component});
   }
-  return mesh.position(from);
+  return mesh_.position(from);
 }
 
 void PlaneLift::begin(FacetId facet) { facet_ = facet; }
 
 Point3 PlaneLift::operator()(const ExactPlace& place) {
   if (of_corners_ != facet_) {
-    std::ranges::transform(plane_corners(scene_.mesh(), facet_), corners_.begin(),
-                           [this](VertexId v) { return exact_corner(scene_.mesh(), v, scene_.camera); });
+    std::ranges::transform(plane_corners(mesh_, facet_), corners_.begin(),
+                           [this](VertexId v) { return exact_corners_.of(mesh_, v); });
     of_corners_ = facet_;
   }
   const std::array places{place_of(corners_[0]), place_of(corners_[1]), place_of(corners_[2])};

@@ -16,20 +16,31 @@
 
 namespace sightline::inline reconstruct {
 
-// Precondition: the place is on the image of the edge's line.
-[[nodiscard]] Point3 exact_lift_on_edge(const ProjectedScene& scene, MeshEdgeId edge, const ExactPlace& place);
+// Lifts to one edge after another. Not for several threads at once.
+class EdgeLift {
+ public:
+  explicit EdgeLift(const ProjectedScene& scene) : mesh_(scene.mesh()), exact_corners_(scene.camera) {}
 
-// Lifts to one plane after another.
+  // Precondition: the place is on the image of the edge's line.
+  [[nodiscard]] Point3 operator()(MeshEdgeId edge, const ExactPlace& place);
+
+ private:
+  const CutMesh& mesh_;
+  ExactCorners exact_corners_;
+};
+
+// Lifts to one plane after another. Not for several threads at once.
 class PlaneLift {
  public:
-  explicit PlaneLift(const ProjectedScene& scene) : scene_(scene) {}
+  explicit PlaneLift(const ProjectedScene& scene) : mesh_(scene.mesh()), exact_corners_(scene.camera) {}
 
   // The plane is that of a facet, which is not edge-on.
   void begin(FacetId facet);
   [[nodiscard]] Point3 operator()(const ExactPlace& place);
 
  private:
-  const ProjectedScene& scene_;
+  const CutMesh& mesh_;
+  ExactCorners exact_corners_;
   FacetId facet_;
   FacetId of_corners_;  // invalid: no corners are known
   std::array<ExactCorner, 3> corners_;

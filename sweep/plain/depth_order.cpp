@@ -33,7 +33,8 @@ DepthRelation DepthOrder::relation_of_lower(FacetId f, FacetId g) {
   const UncutFacetId of_g = mesh_.uncut_facet(g);
   if (of_f == of_g) return {true, false};
   if (mesh_.is_cut() && pieces_.applies_to(of_f, of_g)) return {pieces_.lower_is_nearer(f, g), false};
-  const DepthRelation relation = relation_of_uncut(of_f, of_g);
+  if (local_ == nullptr) return relation_of_uncut(of_f, of_g);
+  const DepthRelation relation = known_relation(of_f, of_g);
   return relation.passes_through ? local_->relation_here(f, g) : relation;
 }
 
@@ -44,14 +45,20 @@ DepthRelation DepthOrder::relation_of_uncut(UncutFacetId f, UncutFacetId g) {
   if (of_f.front == 0 || of_f.behind == 0) return {of_f.front > 0, false};
   const Evidence of_g = corners_against_plane(g, f);
   if (of_g.front == 0 || of_g.behind == 0) return {of_g.behind > 0, false};
-  const Evidence seen = local_ != nullptr ? known_evidence(f, g) : overlap_evidence(f, g);
+  const Evidence seen = overlap_evidence(f, g);
   return {seen.front >= seen.behind, local_ != nullptr && seen.front > 0 && seen.behind > 0};
 }
 
-const DepthOrder::Evidence& DepthOrder::known_evidence(UncutFacetId f, UncutFacetId g) {
-  const auto [known, is_new] = known_.try_emplace(std::uint64_t{f.value} << 32 | g.value);
-  if (is_new) known->second = overlap_evidence(f, g);
-  return known->second;
+void DepthOrder::set_local_order(LocalOrder* local) {
+  local_ = local;
+  known_.resize(std::size_t{1} << known_bits);
+}
+
+DepthRelation DepthOrder::known_relation(UncutFacetId f, UncutFacetId g) {
+  const std::uint64_t pair = std::uint64_t{f.value} << 32 | g.value;
+  Known& known = known_[(pair * 0x9E3779B97F4A7C15U) >> (64 - known_bits)];
+  if (known.pair != pair) known = {pair, relation_of_uncut(f, g)};
+  return known.relation;
 }
 
 // Stops as soon as f is known to straddle the plane.

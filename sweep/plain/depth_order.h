@@ -23,7 +23,6 @@
 #include <array>
 #include <limits>
 #include <span>
-#include <unordered_map>
 #include <vector>
 
 #include "geometry/mesh/cut_mesh.h"
@@ -54,7 +53,7 @@ class DepthOrder {
   DepthOrder(const ProjectedScene& scene, std::span<const DepthRange> ranges = {});
 
   // From here on facets that pass through each other have the order that this one says. It outlives its use.
-  void set_local_order(LocalOrder* local) { local_ = local; }
+  void set_local_order(LocalOrder* local);
 
   [[nodiscard]] DepthRelation relation(FacetId f, FacetId g);
   [[nodiscard]] bool nearer(FacetId f, FacetId g) { return relation(f, g).nearer; }
@@ -82,7 +81,7 @@ class DepthOrder {
   [[nodiscard]] bool is_turned(UncutFacetId u) const;
   [[nodiscard]] DepthRelation relation_of_lower(FacetId f, FacetId g);
   [[nodiscard]] DepthRelation relation_of_uncut(UncutFacetId f, UncutFacetId g);
-  [[nodiscard]] const Evidence& known_evidence(UncutFacetId f, UncutFacetId g);
+  [[nodiscard]] DepthRelation known_relation(UncutFacetId f, UncutFacetId g);
   [[nodiscard]] Evidence corners_against_plane(UncutFacetId f, UncutFacetId g);
   [[nodiscard]] Evidence overlap_evidence(UncutFacetId f, UncutFacetId g);
   [[nodiscard]] bool covers(UncutFacetId f, VertexId v);
@@ -100,7 +99,14 @@ class DepthOrder {
   PieceOrder pieces_;
   const std::span<const DepthRange> ranges_;
   LocalOrder* local_ = nullptr;
-  std::unordered_map<std::uint64_t, Evidence> known_;  // of pairs that straddle each other's planes; only looked up
+  // With a local order the same pairs are asked for often. One of several pairs with one place here is remembered: no facet
+  // is less than itself, so a pair of zeros is none.
+  struct Known {
+    std::uint64_t pair = 0;
+    DepthRelation relation;
+  };
+  static constexpr int known_bits = 14;
+  std::vector<Known> known_;
   predicates::Counts counts_;
   std::uint64_t comparisons_ = 0;
 };

@@ -12,7 +12,7 @@ std::uint64_t key(std::uint32_t a, std::uint32_t b) { return std::uint64_t{a} <<
 }  // namespace
 
 UnroundedImage::UnroundedImage(const ProjectedScene& scene, const std::vector<SwapEdge>& swap_edges)
-    : scene_(scene), edge_count_(scene.edge_count()), swap_edges_(swap_edges), memory_(std::make_unique<Memory>()) {}
+    : scene_(scene), edge_count_(scene.edge_count()), swap_edges_(swap_edges), memory_(std::make_unique<Memory>(scene.camera)) {}
 
 void UnroundedImage::expect_many_questions() {
   directions_.reserve(edge_count_);
@@ -126,7 +126,13 @@ UnroundedCounts UnroundedImage::counts() const {
 
 const ExactPlace& UnroundedImage::known_exact(PointId p) const {
   const auto [known, is_new] = memory_->places.try_emplace(p.value);
-  if (is_new) known->second = exact_place(scene_, p);
+  if (is_new) known->second = exact_place(scene_, p, memory_->corners);
+  return known->second;
+}
+
+const ExactPlace& UnroundedImage::meeting(const Place& place) const {
+  const auto [known, is_new] = memory_->meetings.try_emplace(key(place.a.value, place.b.value));
+  if (is_new) known->second = meeting_place(line(place.a), line(place.b));
   return known->second;
 }
 

@@ -99,11 +99,15 @@ class UnroundedImage {
  private:
   // What integers found out, kept behind a lock. No result depends on its order: it is only looked up.
   struct Memory {
+    explicit Memory(const Camera& camera) : corners(camera) {}
+
     std::mutex lock;
+    ExactCorners corners;
     std::unordered_map<std::uint32_t, ExactPlace> places;  // per point
     std::unordered_map<std::uint32_t, ExactLine> lines;    // per edge of the scene
     std::unordered_map<std::uint64_t, Sign> sides, turns;
-    std::unordered_map<std::uint64_t, CertifiedPlace> crossings;
+    std::unordered_map<std::uint64_t, CertifiedPlace> crossings;  // two edges are one number
+    std::unordered_map<std::uint64_t, ExactPlace> meetings;
     UnroundedCounts counts;
   };
 
@@ -120,7 +124,7 @@ class UnroundedImage {
   // These are called with the lock held.
   [[nodiscard]] const ExactPlace& known_exact(PointId p) const;
   [[nodiscard]] const ExactLine& line(EdgeId e) const;
-  [[nodiscard]] ExactPlace meeting(const Place& place) const { return meeting_place(line(place.a), line(place.b)); }
+  [[nodiscard]] const ExactPlace& meeting(const Place& place) const;
 
   const ProjectedScene& scene_;
   const std::size_t edge_count_;

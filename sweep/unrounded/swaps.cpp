@@ -123,9 +123,13 @@ void Swaps::queue_along_borders(BundleId left, BundleId right, EventQueue<Unroun
     // Above the border the line is outside of the span.
     const EdgeId left_border = active_[left].edges.front();
     const EdgeId right_border = active_[right].edges.front();
-    if (comes_to_the_top(swap_edge, list.topmost(), left_border)) queue.add(swap_edge, left_border);
-    if (comes_to_the_top(swap_edge, list.topmost(), right_border)) queue.add(right_border, swap_edge);
+    if (comes_to_the_top(swap_edge, list.topmost(), left_border)) queue_once(swap_edge, left_border, queue);
+    if (comes_to_the_top(swap_edge, list.topmost(), right_border)) queue_once(right_border, swap_edge, queue);
   });
+}
+
+void Swaps::queue_once(EdgeId a, EdgeId b, EventQueue<UnroundedDecider>& queue) {
+  if (queued_.insert(std::uint64_t{a.value} << 32 | b.value).second) queue.add(a, b);
 }
 
 // The topmost facet is the nearer one at the height of the sweep. So it is no more, below, where it is not at the border's end;

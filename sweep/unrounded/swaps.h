@@ -19,6 +19,7 @@
 #pragma once
 
 #include <span>
+#include <unordered_set>
 #include <vector>
 
 #include "sweep/plain/active_edge_list.h"
@@ -62,12 +63,15 @@ class Swaps : private LocalOrder {
   void insert_between(BundleId& at, NodeList list, EdgeId left, EdgeId right);
   void name_swaps_along_edges(const NodeList& left, std::span<const BundleId> below);
   void queue_along_borders(BundleId left, BundleId right, EventQueue<UnroundedDecider>& queue);
+  void queue_once(EdgeId a, EdgeId b, EventQueue<UnroundedDecider>& queue);
   [[nodiscard]] bool comes_to_the_top(EdgeId swap_edge, FacetId topmost, EdgeId border) const;
 
   const UnroundedDecider& decider_;
   const ProjectedScene& scene_;
   DepthOrder& depth_;
   ActiveEdgeList& active_;
+
+  std::unordered_set<std::uint64_t> queued_;  // pairs of edges, which meet but once
 
   // These belong to the current sweep point.
   PointId vertex_;
