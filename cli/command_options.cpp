@@ -75,9 +75,10 @@ std::uint64_t memory_limit(const std::string& text) {
 
 void declare_computation(CLI::App& analyze, AnalyzeTexts& texts) {
   analyze.add_option("--sides", texts.sides, "which sides of faces count (auto)")->type_name("auto|front|both");
-  analyze.add_option("--arithmetic", texts.arithmetic, "in which every decision is taken (exact)")
+  analyze.add_option("--arithmetic", texts.arithmetic, "in which every decision is taken (unrounded)")
       ->type_name("float|double|exact|unrounded");
-  analyze.add_option("--grid-bits", texts.grid_bits, "the image's grid has 2^N cells in the half window (40)")
+  analyze.add_option("--grid-bits", texts.grid_bits,
+                     "round the image to a grid of 2^N cells in the half window (40 where not unrounded)")
       ->type_name("N");
   analyze.add_option("--engine", texts.engine, "sweep what the scene requires, or everything: same result (fast)")
       ->type_name("fast|full");
@@ -233,6 +234,13 @@ void declare_trace(CLI::App& trace, TraceTexts& texts) {
   trace.footer("Example: sightline trace --example fang -o trace.html && xdg-open trace.html");
 }
 
+Precision traced_precision(const TraceTexts& texts) {
+  const Precision precision = parsed_precision(texts.arithmetic, texts.grid_bits);
+  if (precision.arithmetic == Arithmetic::unrounded)
+    throw CommandLineError("--arithmetic: a trace shows the sweep on the grid: choose float, double or exact");
+  return precision;
+}
+
 TraceOptions options_of(const TraceTexts& texts) {
   require_consistent(texts);
   require_example(texts.example);
@@ -245,7 +253,7 @@ TraceOptions options_of(const TraceTexts& texts) {
   options.camera = given(texts.camera);
   options.sides = parsed_sides(texts.sides);
   if (!texts.arithmetic.empty() || !texts.grid_bits.empty())
-    options.precision = parsed_precision(texts.arithmetic, texts.grid_bits);
+    options.precision = traced_precision(texts);
   return options;
 }
 

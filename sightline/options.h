@@ -38,7 +38,7 @@ class SIGHTLINE_EXPORT AnalysisHook {
 // Results depend on sides, precision and reflection only.
 struct AnalysisOptions {
   SidesPolicy sides = SidesPolicy::automatic;
-  Precision precision{};
+  Precision precision{Arithmetic::unrounded, default_grid_bits};
   Engine engine = Engine::fast;
   std::size_t threads = 0;  // at most so many; 0: as many as the calling task arena (oneTBB) has
   ReflectionOptions reflection{};

@@ -32,7 +32,7 @@ BenchScene model_scene(const fs::path& file) {
   scene.camera = camera_before(mesh);
   scene.file = file;
   const ProcessorTime watch;
-  const Analyzer analyzer(std::move(mesh));
+  const Analyzer analyzer(std::move(mesh), {.precision = {}});
   scene.preparation = watch.seconds();
   scene.mesh = analyzer.shared_mesh();
   scene.sides = analyzer.sides(scene.camera).sides;

@@ -27,7 +27,7 @@ struct Ground {
 
 Ground ground_of(const SceneDescription& scene, const Camera& camera, Progress& progress) {
   MeshInput input = read_mesh(scene.mesh_file, Normals::passed_over, default_memory_limit(), progress);
-  const Analyzer analyzer(std::move(input.mesh), {.sides = scene.sides});
+  const Analyzer analyzer(std::move(input.mesh), {.sides = scene.sides, .precision = {}});
   progress.stage(camera.name + ": what is exactly visible");
   Visibility visible = analyzer.visible(camera);
   peers::ExactParts exact = peers::exact_parts(visible.scene, visible.segments, visible.polygons);

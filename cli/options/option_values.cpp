@@ -32,7 +32,7 @@ Vector3 parsed_vector(std::string_view text, std::string_view option) {
 }
 
 Precision parsed_precision(const std::string& arithmetic, const std::string& grid_bits) {
-  Precision precision;
+  Precision precision{grid_bits.empty() ? Arithmetic::unrounded : Arithmetic::exact, default_grid_bits};
   if (!arithmetic.empty()) {
     const auto named = arithmetic_named(arithmetic);
     if (!named)

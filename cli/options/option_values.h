@@ -21,7 +21,7 @@ namespace sightline::cli {
 // X,Y,Z
 [[nodiscard]] Vector3 parsed_vector(std::string_view text, std::string_view option);
 
-// The dial, from --arithmetic and --grid-bits; empty texts stand for the default.
+// The dial, from --arithmetic and --grid-bits; empty texts stand for the default: unrounded, or exact on a grid that is named.
 [[nodiscard]] Precision parsed_precision(const std::string& arithmetic, const std::string& grid_bits);
 
 [[nodiscard]] std::vector<std::string_view> split(std::string_view text, char separator);

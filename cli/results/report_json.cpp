@@ -32,6 +32,7 @@ Json sides_json(SidesPolicy asked, const SidesDecision& decision) {
 }
 
 Json precision_json(const Precision& precision) {
+  if (precision.arithmetic == Arithmetic::unrounded) return {{"arithmetic", to_string(precision.arithmetic)}};
   return {{"arithmetic", to_string(precision.arithmetic)}, {"grid_bits", precision.grid_bits}};
 }
 

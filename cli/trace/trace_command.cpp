@@ -42,7 +42,7 @@ Traced of_scene_file(const TraceOptions& options) {
   const Camera& camera = options.camera ? camera_named(scene, *options.camera) : only_camera(scene);
   Progress silent(false);
   MeshInput input = read_mesh(scene.mesh_file, Normals::passed_over, default_memory_limit(), silent);
-  const Analyzer analyzer(std::move(input.mesh), {.sides = options.sides.value_or(scene.sides)});
+  const Analyzer analyzer(std::move(input.mesh), {.sides = options.sides.value_or(scene.sides), .precision = {}});
   return {scene.file, scene.file, "", {analyzer.shared_mesh(), camera, analyzer.sides(camera).sides, {}, {}}};
 }
 

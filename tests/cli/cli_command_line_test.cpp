@@ -56,10 +56,19 @@ TEST_CASE("a scene file comes with its own cameras") {
   CHECK(options.json);
 }
 
-TEST_CASE("the dial is exact on 40 bits unless asked") {
+TEST_CASE("nothing is rounded unless asked, and what is, exactly and on 40 bits") {
   const Precision by_default = std::get<AnalyzeOptions>(parse({"analyze", "s.toml", "--json"})).precision;
-  CHECK(by_default.arithmetic == Arithmetic::exact);
-  CHECK(by_default.grid_bits == 40);
+  CHECK(by_default.arithmetic == Arithmetic::unrounded);
+  const Precision on_a_grid =
+      std::get<AnalyzeOptions>(parse({"analyze", "s.toml", "--json", "--grid-bits", "12"})).precision;
+  CHECK(on_a_grid.arithmetic == Arithmetic::exact);
+  CHECK(on_a_grid.grid_bits == 12);
+  const Precision exact =
+      std::get<AnalyzeOptions>(parse({"analyze", "s.toml", "--json", "--arithmetic", "exact"})).precision;
+  CHECK(exact.arithmetic == Arithmetic::exact);
+  CHECK(exact.grid_bits == 40);
+  CHECK_THROWS_AS(
+      (void)parse({"analyze", "s.toml", "--json", "--arithmetic", "unrounded", "--grid-bits", "12"}), CommandLineError);
   const Precision asked =
       std::get<AnalyzeOptions>(parse({"analyze", "s.toml", "--json", "--arithmetic", "float", "--grid-bits", "8"}))
           .precision;

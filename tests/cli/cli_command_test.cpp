@@ -70,7 +70,7 @@ TEST_CASE(
 
 TEST_CASE("the dial is in the report") {
   const Json by_default = Json::parse(run_sightline({"analyze", fang_scene, "--json"}).out);
-  CHECK(by_default["precision"] == Json{{"arithmetic", "exact"}, {"grid_bits", 40}});
+  CHECK(by_default["precision"] == Json{{"arithmetic", "unrounded"}});
   const RunResult run = run_sightline({"analyze", fang_scene, "--json", "--arithmetic", "float", "--grid-bits", "20"});
   CHECK(run.exit_code == 0);
   CHECK(Json::parse(run.out)["precision"] == Json{{"arithmetic", "float"}, {"grid_bits", 20}});

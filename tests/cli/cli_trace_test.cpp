@@ -114,7 +114,8 @@ TEST_CASE("trace command: what is wrong with a command line is said in one line"
       {{"trace", "mesh.obj", "--log", log}, "not a scene file"},
       {{"trace", "--example", "none", "--log", log}, "there is no 'none'"},
       {{"trace", "--example", "fang", "--log", log, "--camera", "all"}, "an example has its own"},
-      {{"trace", "--example", "fang", "--log", log, "--arithmetic", "half"}, "not float, double or exact"},
+      {{"trace", "--example", "fang", "--log", log, "--arithmetic", "half"}, "not float, double"},
+      {{"trace", "--example", "fang", "--log", log, "--arithmetic", "unrounded"}, "choose float, double or exact"},
       {{"trace", scene, "--log", log, "--camera", "all", "--sides", "inner"}, "not auto, front or both"}};
   for (const auto& [arguments, words] : cases) {
     const RunResult run = tests::run_sightline(arguments);

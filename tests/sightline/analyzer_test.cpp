@@ -82,7 +82,7 @@ void check_same(const View& a, const View& b) {
 
 TEST_CASE("analyzer: the hook is told of every stage, in their order, the first two once") {
   Recorder hook;
-  const Analyzer analyzer(crossing_sheets(), {.hook = &hook});
+  const Analyzer analyzer(crossing_sheets(), {.precision = {}, .hook = &hook});
   CHECK(hook.begun == std::vector{Stage::contacts, Stage::cut});
   CHECK(analyzer.mesh().is_cut());
   hook.begun.clear();
@@ -102,10 +102,27 @@ TEST_CASE("analyzer: the hook is told of every stage, in their order, the first 
   CHECK(hook.scenes == 3);
 }
 
+TEST_CASE("analyzer: without rounding nothing is cut, and contacts are looked for where a closed surface may be culled") {
+  Recorder hook;
+  const Analyzer open(crossing_sheets(), {.hook = &hook});
+  CHECK(hook.begun.empty());
+  CHECK_FALSE(open.mesh().is_cut());
+  CHECK(open.sides(from_above()).reason == "both sides: edge 0-3 has one facet");
+  const Mesh closed = mesh_of({{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}},
+                               {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}},
+                               {{0, 0, 0}, {0, 0, 1}, {0, 1, 0}},
+                               {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}});
+  CHECK(Analyzer(closed, {.hook = &hook}).sides(from_above()).sides == Sides::front);
+  CHECK(hook.begun == std::vector{Stage::contacts});
+  hook.begun.clear();
+  CHECK(Analyzer(closed, {.sides = SidesPolicy::both, .hook = &hook}).sides(from_above()).sides == Sides::both);
+  CHECK(hook.begun.empty());
+}
+
 TEST_CASE("analyzer: what the hook throws ends the analysis, at every stage") {
   for (const Stage stage : {Stage::contacts, Stage::cut}) {
     CancelAt hook(stage);
-    CHECK_THROWS_AS(Analyzer(crossing_sheets(), {.hook = &hook}), Cancelled);
+    CHECK_THROWS_AS(Analyzer(crossing_sheets(), {.precision = {}, .hook = &hook}), Cancelled);
   }
   for (const Stage stage :
        {Stage::sides, Stage::project, Stage::sweep, Stage::reconstruct, Stage::reflect, Stage::label}) {
@@ -134,7 +151,9 @@ TEST_CASE("analyzer: engines, threads, the overloads and a mesh cut by the calle
   const Analyzer analyzer(mesh);
   check_same(analyzer.view(from_above(), analyzer.world(lamp())), expected);
   const MeshContacts contacts = find_contacts(mesh);
-  check_same(Analyzer(cut_along_common_lines(mesh, contacts), {}, contacts).view(from_above(), lamp()), expected);
+  const AnalysisOptions on_grid{.precision = {}};
+  check_same(Analyzer(cut_along_common_lines(mesh, contacts), on_grid, contacts).view(from_above(), lamp()),
+             Analyzer(mesh, on_grid).view(from_above(), lamp()));
   check_same(analyzer.view(from_above(), std::vector<Panel>{}), analyzer.view(from_above()));
 }
 
