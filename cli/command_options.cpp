@@ -77,8 +77,9 @@ void declare_computation(CLI::App& analyze, AnalyzeTexts& texts) {
   analyze.add_option("--sides", texts.sides, "which sides of faces count (auto)")->type_name("auto|front|both");
   analyze.add_option("--arithmetic", texts.arithmetic, "in which every decision is taken (unrounded)")
       ->type_name("float|double|exact|unrounded");
-  analyze.add_option("--grid-bits", texts.grid_bits,
-                     "round the image to a grid of 2^N cells in the half window (40 where not unrounded)")
+  analyze
+      .add_option("--grid-bits", texts.grid_bits,
+                  "round the image to a grid of 2^N cells in the half window (40 where not unrounded)")
       ->type_name("N");
   analyze.add_option("--engine", texts.engine, "sweep what the scene requires, or everything: same result (fast)")
       ->type_name("fast|full");
@@ -252,8 +253,7 @@ TraceOptions options_of(const TraceTexts& texts) {
   options.log = given(texts.log);
   options.camera = given(texts.camera);
   options.sides = parsed_sides(texts.sides);
-  if (!texts.arithmetic.empty() || !texts.grid_bits.empty())
-    options.precision = traced_precision(texts);
+  if (!texts.arithmetic.empty() || !texts.grid_bits.empty()) options.precision = traced_precision(texts);
   return options;
 }
 

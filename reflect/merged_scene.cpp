@@ -6,7 +6,8 @@
 #include <functional>
 #include <iterator>
 #include <memory>
-#include <ranges>
+
+#include "geometry/numbers/partition_index.h"
 
 namespace sightline::inline reflect {
 namespace {
@@ -218,9 +219,8 @@ class SceneMerger {
   }
 
   [[nodiscard]] std::size_t first_old_after(const ImagePlace& at, std::size_t from) const {
-    const auto rest = std::views::iota(from, old_crossings_.size());
     const auto is_not_after = [&](std::size_t old) { return sweep_compare(place_of_old(old), at) <= 0; };
-    return from + static_cast<std::size_t>(std::ranges::partition_point(rest, is_not_after) - rest.begin());
+    return partition_index(from, old_crossings_.size(), is_not_after);
   }
 
   [[nodiscard]] ImagePlace place_of_old(std::size_t crossing) const {
@@ -255,10 +255,8 @@ class SceneMerger {
   // Returns the scene point that is there, else the crossing. Of the scene points that come at or after it, the first
   // is in [first, end) or is `end`.
   PointId scene_point_or_added(Crossing crossing, const ImagePlace& at, std::size_t first, std::size_t end) {
-    const auto ids = std::views::iota(first, end);
-    const auto next = std::ranges::partition_point(ids, [&](std::size_t p) { return compare(at, PointId(p)) > 0; });
-    crossing.after = PointId(first + static_cast<std::size_t>(next - ids.begin()));
-    return next != ids.end() && compare(at, crossing.after) == 0 ? crossing.after : added(crossing);
+    crossing.after = PointId(partition_index(first, end, [&](std::size_t p) { return compare(at, PointId(p)) > 0; }));
+    return crossing.after.index() != end && compare(at, crossing.after) == 0 ? crossing.after : added(crossing);
   }
 
   // Compares with a point of the merged scene.

@@ -14,9 +14,8 @@ namespace {
 // This has the segments of one surface, and finds the nearest of them left of a point.
 class SurfaceBorder {
  public:
-  SurfaceBorder(const ProjectedScene& scene, VisibleSegments& segments, const EdgeSides& sides,
-                const std::vector<SegmentId>& ids)
-      : scene_(scene), segments_(segments), sides_(sides), ids_(ids) {}
+  SurfaceBorder(VisibleSegments& segments, const EdgeSides& sides, const std::vector<SegmentId>& ids)
+      : segments_(segments), sides_(sides), ids_(ids) {}
 
   void add_threads() {
     for (const Walk& walk : link_rings(sides_.points(), sides_.points().order(), segments_, ids_)) {
@@ -52,7 +51,6 @@ class SurfaceBorder {
     return s_beside_t != 0 ? s_beside_t > 0 : sides_.turn(of_t, of_s) > 0;
   }
 
-  const ProjectedScene& scene_;
   VisibleSegments& segments_;
   const EdgeSides& sides_;
   const std::vector<SegmentId>& ids_;
@@ -115,7 +113,7 @@ VisibleSegments reflecting_segments(const MergedScene& merged, std::vector<Surfa
     result.segments.push_back({segment.start, segment.end, surface, FacetId{}, segment.edge});
   const EdgeSides sides(merged.scene, result);
   for_each_surface(mesh, result, [&](FacetId /*surface*/, const std::vector<SegmentId>& ids) {
-    SurfaceBorder(merged.scene, result, sides, ids).add_threads();
+    SurfaceBorder(result, sides, ids).add_threads();
   });
   std::ranges::stable_sort(result.threads, [&](const Thread& a, const Thread& b) { return before(a.top, b.top); });
   return result;

@@ -89,8 +89,8 @@ struct UnroundedPoints {
     MadeCornerId made;
     friend bool operator==(const Source&, const Source&) = default;
   };
-  std::vector<CertifiedPlace> places;  // per point
-  std::vector<Source> sources;         // per point
+  std::vector<CertifiedPlace> places;                   // per point
+  std::vector<Source> sources;                          // per point
   std::shared_ptr<const std::vector<ExactPlace>> made;  // per made corner of what was projected
 };
 

@@ -81,7 +81,8 @@ class PointNumbering {
   }
 
   void number_points() {
-    tbb::parallel_sort(found_.begin(), found_.end(), [this](const Found& a, const Found& b) { return compare(a, b) < 0; });
+    tbb::parallel_sort(found_.begin(), found_.end(),
+                       [this](const Found& a, const Found& b) { return compare(a, b) < 0; });
     std::vector<PointId> of_vertex(scene_.mesh().vertices.size());
     std::vector<PointId> of_made(scene_.made_corners.size());
     for (std::size_t i = 0; i < found_.size(); ++i) {

@@ -29,7 +29,8 @@ struct UnroundedVertex {
   ProjectedVertex projected;
   CertifiedPlace place;  // where strictly_outside is 0
 };
-[[nodiscard]] UnroundedVertex project_unrounded(const CutMesh& mesh, VertexId vertex, const Camera& camera, int grid_bits);
+[[nodiscard]] UnroundedVertex project_unrounded(const CutMesh& mesh, VertexId vertex, const Camera& camera,
+                                                int grid_bits);
 
 [[nodiscard]] ProjectedVertex project_vertex(const Point3& vertex, const Camera& camera, int grid_bits);
 

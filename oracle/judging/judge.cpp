@@ -94,7 +94,8 @@ Rational window_area(int grid_bits) {
 Verdict judge(const RandomScene& scene) {
   Verdict verdict;
   try {
-    const Analyzer analyzer(uncrossed(mesh_of(scene)), {.sides = policy_of(scene.sides), .precision = {}, .engine = Engine::full});
+    const Analyzer analyzer(uncrossed(mesh_of(scene)),
+                            {.sides = policy_of(scene.sides), .precision = {}, .engine = Engine::full});
     const View view = analyzer.view(scene.camera);
     verdict.statistics = view.segments.statistics;
     compare_with_oracle(verdict, scene, view);

@@ -41,8 +41,8 @@ class JoinedSwapEdges {
       }
     }
     std::ranges::sort(all_, {}, &SwapEdge::surfaces);
-    const auto repeated = std::ranges::unique(all_, {}, &SwapEdge::surfaces);
-    all_.erase(repeated.begin(), repeated.end());
+    const auto same = [](const SwapEdge& a, const SwapEdge& b) { return a.surfaces == b.surfaces; };
+    all_.erase(std::unique(all_.begin(), all_.end(), same), all_.end());
   }
 
   // Returns, per swap edge of the band, its number among all; any number where it is not used.
@@ -66,8 +66,7 @@ class JoinedSwapEdges {
 // points. Where several bands name a crossing, they give it the same name (segment_recorder.h).
 class JoinedCrossings {
  public:
-  JoinedCrossings(const ProjectedScene& scene, const std::vector<SwapEdge>& swap_edges,
-                  std::vector<Crossing> crossings)
+  JoinedCrossings(const ProjectedScene& scene, const std::vector<SwapEdge>& swap_edges, std::vector<Crossing> crossings)
       : vertices_(scene.points.size()) {
     sort_by_place(scene, swap_edges, crossings);
     for (const Crossing& c : crossings) {

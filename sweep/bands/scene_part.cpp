@@ -1,8 +1,8 @@
 #include "sweep/bands/scene_part.h"
 
 #include <algorithm>
-#include <ranges>
 
+#include "geometry/numbers/partition_index.h"
 #include "sweep/segments/crossing_order.h"
 
 namespace sightline::inline sweep {
@@ -126,8 +126,8 @@ class PointNames {
     std::vector<Crossing> kept;
     for (Crossing crossing : segments.crossings) {
       crossing.after = first_not_before(crossing, crossing.after);
-      const bool is_vertex = crossing.after.index() < whole.points.size() &&
-                             crossing_order_.compare(crossing, crossing.after) == 0;
+      const bool is_vertex =
+          crossing.after.index() < whole.points.size() && crossing_order_.compare(crossing, crossing.after) == 0;
       names_.push_back(is_vertex ? crossing.after : PointId(whole.points.size() + kept.size()));
       if (!is_vertex) kept.push_back(crossing);
     }
@@ -144,9 +144,8 @@ class PointNames {
     const std::size_t begin = next.index() == 0 ? 0 : part_.point[next.index() - 1].index();
     const std::size_t end =
         next.index() == part_.point.size() ? whole_.points.size() : part_.point[next.index()].index();
-    const auto ids = std::views::iota(begin, end);
     const auto is_before = [&](std::size_t p) { return crossing_order_.compare(crossing, PointId(p)) > 0; };
-    return PointId(begin + static_cast<std::size_t>(std::ranges::partition_point(ids, is_before) - ids.begin()));
+    return PointId(partition_index(begin, end, is_before));
   }
 
   const ProjectedScene& whole_;

@@ -8,7 +8,8 @@ namespace sightline::inline sweep {
 // The centre of a cell has fewer than 53 bits.
 Sign CellSides::unrounded_orientation(PointId a, PointId b, const ImagePoint& centre) const {
   const auto window = [this](std::int64_t c) { return std::ldexp(static_cast<double>(c), -scene_.grid_bits); };
-  const auto sign = certain_orientation(points_.certified(a), points_.certified(b), {window(centre.x), window(centre.y), 0});
+  const auto sign =
+      certain_orientation(points_.certified(a), points_.certified(b), {window(centre.x), window(centre.y), 0});
   if (sign) return *sign;
   return geometry::orientation(points_.exact(a), points_.exact(b),
                                {centre.x, centre.y, BigInteger(1) << static_cast<unsigned>(scene_.grid_bits)});

@@ -240,8 +240,8 @@ class CoverFinder : private LocalOrder {
     const EdgeId edge = swap_edges_.between(f, g);
     const SwapEdge& swap = swap_edges_.all()[edge.index() - scene_.edge_count()];
     const auto window = [this](double spacings) { return std::ldexp(spacings, -scene_.grid_bits); };
-    const double at_centre = swap.a * window(static_cast<double>(centre_.x)) +
-                             swap.b * window(static_cast<double>(centre_.y)) + swap.c;
+    const double at_centre =
+        swap.a * window(static_cast<double>(centre_.x)) + swap.b * window(static_cast<double>(centre_.y)) + swap.c;
     const double reach = (std::fabs(swap.a) + std::fabs(swap.b)) * window(static_cast<double>(grid_.cell_size()) / 2);
     const bool is_one_side = !swap.is_seen || std::fabs(at_centre) > reach * (1 + 0x1p-50) + 0x1p-49;
     const Sign side = !swap.is_seen || at_centre > 0 ? 1 : -1;

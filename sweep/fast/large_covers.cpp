@@ -119,9 +119,10 @@ class LargeCovers {
       const auto dy = static_cast<double>(b.y - a.y);
       const double left = dx * static_cast<double>(centre.y - a.y);
       const double right = dy * static_cast<double>(centre.x - a.x);
-      const double far = std::fabs(static_cast<double>(centre.x - a.x)) + std::fabs(static_cast<double>(centre.y - a.y)) +
-                         std::fabs(static_cast<double>(centre.x - b.x)) + std::fabs(static_cast<double>(centre.y - b.y)) +
-                         4 * half + 2 * spread;
+      const double far = std::fabs(static_cast<double>(centre.x - a.x)) +
+                         std::fabs(static_cast<double>(centre.y - a.y)) +
+                         std::fabs(static_cast<double>(centre.x - b.x)) +
+                         std::fabs(static_cast<double>(centre.y - b.y)) + 4 * half + 2 * spread;
       const double reach = half * (std::fabs(dx) + std::fabs(dy)) + spread * far;
       if (!(turn * (left - right) > reach * (1 + 0x1p-40) + 0x1p-40 * (std::fabs(left) + std::fabs(right))))
         return false;

@@ -12,7 +12,10 @@ std::uint64_t key(std::uint32_t a, std::uint32_t b) { return std::uint64_t{a} <<
 }  // namespace
 
 UnroundedImage::UnroundedImage(const ProjectedScene& scene, const std::vector<SwapEdge>& swap_edges)
-    : scene_(scene), edge_count_(scene.edge_count()), swap_edges_(swap_edges), memory_(std::make_unique<Memory>(scene.camera)) {}
+    : scene_(scene),
+      edge_count_(scene.edge_count()),
+      swap_edges_(swap_edges),
+      memory_(std::make_unique<Memory>(scene.camera)) {}
 
 void UnroundedImage::expect_many_questions() {
   directions_.reserve(edge_count_);

@@ -67,8 +67,8 @@ TEST_CASE("nothing is rounded unless asked, and what is, exactly and on 40 bits"
       std::get<AnalyzeOptions>(parse({"analyze", "s.toml", "--json", "--arithmetic", "exact"})).precision;
   CHECK(exact.arithmetic == Arithmetic::exact);
   CHECK(exact.grid_bits == 40);
-  CHECK_THROWS_AS(
-      (void)parse({"analyze", "s.toml", "--json", "--arithmetic", "unrounded", "--grid-bits", "12"}), CommandLineError);
+  CHECK_THROWS_AS((void)parse({"analyze", "s.toml", "--json", "--arithmetic", "unrounded", "--grid-bits", "12"}),
+                  CommandLineError);
   const Precision asked =
       std::get<AnalyzeOptions>(parse({"analyze", "s.toml", "--json", "--arithmetic", "float", "--grid-bits", "8"}))
           .precision;

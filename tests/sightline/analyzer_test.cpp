@@ -102,7 +102,8 @@ TEST_CASE("analyzer: the hook is told of every stage, in their order, the first 
   CHECK(hook.scenes == 3);
 }
 
-TEST_CASE("analyzer: without rounding nothing is cut, and contacts are looked for where a closed surface may be culled") {
+TEST_CASE(
+    "analyzer: without rounding nothing is cut, and contacts are looked for where a closed surface may be culled") {
   Recorder hook;
   const Analyzer open(crossing_sheets(), {.hook = &hook});
   CHECK(hook.begun.empty());

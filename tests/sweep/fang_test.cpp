@@ -156,7 +156,8 @@ TEST_CASE("worked example: projection keeps the eight points and eight edges") {
 
 TEST_CASE("worked example: the sweep points come in the source's order") {
   Recorder recorder;
-  const Analyzer analyzer(uncrossed(worked_example()), {.sides = SidesPolicy::both, .precision = {}, .hook = &recorder});
+  const Analyzer analyzer(uncrossed(worked_example()),
+                          {.sides = SidesPolicy::both, .precision = {}, .hook = &recorder});
   const View view = analyzer.view(camera());
   const std::string order = "OEFADGCPHIBQ";
   REQUIRE(recorder.visited.size() == order.size());

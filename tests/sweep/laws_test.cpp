@@ -88,13 +88,15 @@ TEST_CASE("law: the mirrored scene seen by the mirrored camera shows the same") 
 
 TEST_CASE("law: a camera turned about its view direction sees the same") {
   check_on_random_scenes([](const RandomScene& scene, const AnyMesh& mesh, const Precision& precision) {
-    return differences(seen_from(mesh, scene.camera, scene.sides, precision), seen_from(mesh, rolled(scene.camera), scene.sides, precision));
+    return differences(seen_from(mesh, scene.camera, scene.sides, precision),
+                       seen_from(mesh, rolled(scene.camera), scene.sides, precision));
   });
 }
 
 TEST_CASE("law: two runs give the same, bit for bit") {
   check_on_random_scenes([](const RandomScene& scene, const AnyMesh& mesh, const Precision& precision) {
-    const bool same = identical(analyzed(mesh, scene.camera, scene.sides, precision), analyzed(mesh, scene.camera, scene.sides, precision));
+    const bool same = identical(analyzed(mesh, scene.camera, scene.sides, precision),
+                                analyzed(mesh, scene.camera, scene.sides, precision));
     return same ? Complaints{} : Complaints{"two runs differ"};
   });
 }
