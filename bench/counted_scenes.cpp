@@ -1,6 +1,6 @@
 // Analyses one fixed scene, once. scripts/instruction-counts has valgrind count the instructions.
 //
-//     build/release/bench/sightline_counted_scenes sphere|terrain|sheets
+//     build/release/bench/sightline_counted_scenes sphere|terrain|sheets [grid]      (grid: rounded to it)
 
 #include <tbb/global_control.h>
 
@@ -29,9 +29,9 @@ std::optional<Case> case_named(std::string_view name) {
 
 // Valgrind counts between this function's entry and its end, by its name: to make the mesh does not count.
 // Valgrind counts one thread.
-[[gnu::noinline]] View counted_analysis(const Case& c) {
+[[gnu::noinline]] View counted_analysis(const Case& c, Arithmetic arithmetic) {
   const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
-  return Analyzer(uncrossed(c.mesh), {.sides = policy_of(c.sides)}).view(c.camera);
+  return Analyzer(uncrossed(c.mesh), {.sides = policy_of(c.sides), .precision = {arithmetic}}).view(c.camera);
 }
 
 }  // namespace
@@ -39,11 +39,12 @@ std::optional<Case> case_named(std::string_view name) {
 
 int main(int argc, char** argv) {
   using namespace sightline;
-  const std::optional<bench::Case> chosen = argc == 2 ? bench::case_named(argv[1]) : std::nullopt;
+  const bool on_grid = argc == 3 && std::string_view(argv[2]) == "grid";
+  const std::optional<bench::Case> chosen = argc == 2 || on_grid ? bench::case_named(argv[1]) : std::nullopt;
   if (!chosen) {
-    std::fputs("usage: sightline_counted_scenes sphere|terrain|sheets\n", stderr);
+    std::fputs("usage: sightline_counted_scenes sphere|terrain|sheets [grid]\n", stderr);
     return 2;
   }
-  const View view = bench::counted_analysis(*chosen);
+  const View view = bench::counted_analysis(*chosen, on_grid ? Arithmetic::exact : Arithmetic::unrounded);
   std::printf("%zu triangles, %zu visible polygons\n", chosen->mesh.facet_count(), view.polygons.polygons.size());
 }

@@ -2,7 +2,8 @@
 //
 // In:  a mesh, once; then cameras, and panels if there are any.
 // Out: per camera a View.
-// Method: facets that pass through each other are found and cut, once for all cameras. A view decides which sides of the
+// Method: nothing is rounded, and facets that pass through each other change places in the sweep. On a grid, which the
+//      options may ask for, they are found and cut, once for all cameras. A view decides which sides of the
 //      faces count, projects, sweeps, rebuilds the visible polygons, reflects the panels, and labels the surface. The
 //      stages are functions of their own (docs/how-it-works.md) for whoever wants some of them only.
 // Holds: views of one analyzer may be asked for by several threads at once, if the hook allows that. A view keeps the
@@ -27,7 +28,8 @@ class SIGHTLINE_EXPORT Analyzer {
  public:
   explicit Analyzer(Mesh mesh, AnalysisOptions options = {});
 
-  // A mesh that is taken as it is: cut by the caller, or known not to pass through itself (uncrossed in cut_mesh.h).
+  // A mesh that is taken as it is: without rounding any; on a grid one that was cut by the caller, or is known not to pass
+  // through itself (uncrossed in cut_mesh.h).
   // contacts: how it met itself before it was cut; where that is not known, automatic sides count as both.
   explicit Analyzer(std::shared_ptr<const CutMesh> mesh, AnalysisOptions options = {},
                     std::optional<MeshContacts> contacts = std::nullopt);

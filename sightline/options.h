@@ -13,7 +13,8 @@
 
 namespace sightline {
 
-// The stages of an analysis, in their order. The first two come once for a mesh, the others once for a camera.
+// The stages of an analysis, in their order. The first two come once for a mesh, if at all: cutting on a grid only, contacts
+// also where they say whether a closed surface may be culled. The others come once for a camera.
 enum class Stage : std::uint8_t { contacts, cut, sides, project, sweep, reconstruct, reflect, label };
 
 // Whoever wants to show progress, take times, check memory or cancel derives from this. Whatever a function throws ends the
@@ -35,7 +36,7 @@ class SIGHTLINE_EXPORT AnalysisHook {
   [[nodiscard]] virtual SweepObserver* sweep_observer() { return nullptr; }
 };
 
-// Results depend on sides, precision and reflection only.
+// Results depend on sides, precision and reflection only. Nothing is rounded unless precision says otherwise.
 struct AnalysisOptions {
   SidesPolicy sides = SidesPolicy::automatic;
   Precision precision{Arithmetic::unrounded, default_grid_bits};

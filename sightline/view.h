@@ -17,7 +17,7 @@ struct Visibility {
   VisibleSegments segments;
   VisiblePolygons polygons;
 
-  // The surface, without facets that pass through each other.
+  // The surface; on a grid without facets that pass through each other.
   [[nodiscard]] const CutMesh& mesh() const { return scene.mesh(); }
 };
 

@@ -1,4 +1,4 @@
-// A surface whose facets do not pass through each other: what can be projected and swept.
+// A surface that can be projected and swept: on a grid one whose facets do not pass through each other; without rounding any.
 //
 // In:  a mesh cut along the common lines of its facets (cut_along_common_lines), or one that is taken as it is
 //      (uncrossed).
@@ -46,8 +46,8 @@ struct CutMesh : PolygonMesh {
   }
 };
 
-// Returns the mesh as it is, for a caller who knows that none of its facets pass through each other, or who accepts that where
-// they do the wrong facet is on top in places.
+// Returns the mesh as it is: to be swept without rounding; or, on a grid, by a caller who knows that none of its facets pass
+// through each other, or who accepts that where they do the wrong facet is on top in places.
 [[nodiscard]] SIGHTLINE_EXPORT CutMesh uncrossed(Mesh mesh);
 
 // Returns the exact position of a vertex, whether it is the input's or made by cutting.

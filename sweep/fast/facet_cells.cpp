@@ -43,8 +43,10 @@ struct Line {
   // product is off by less than s times how far, both ways added up, p is from them, and 2 s^2.
   [[nodiscard]] Sign certain_side(const ImagePoint& p, int spread) const {
     const Across at = across(p);
-    const double far = static_cast<double>(distance(a, p) + distance(b, p)) + 2.0 * spread;
-    return std::fabs(at.value) > at.error + spread * far * (1 + product_error) ? (at.value > 0 ? 1 : -1) : 0;
+    double error = at.error;
+    if (spread > 0)
+      error += spread * (static_cast<double>(distance(a, p) + distance(b, p)) + 2.0 * spread) * (1 + product_error);
+    return std::fabs(at.value) > error ? (at.value > 0 ? 1 : -1) : 0;
   }
   [[nodiscard]] static std::int64_t distance(const ImagePoint& p, const ImagePoint& q) {
     return std::abs(p.x - q.x) + std::abs(p.y - q.y);
@@ -62,6 +64,9 @@ class TriangleInCells {
     turn_ = opposite.value < 0 ? -1 : 1;
     width_ = std::fabs(opposite.value) + opposite.error;
   }
+
+  // The lines between the corners, each from one to the next.
+  [[nodiscard]] std::span<const Line> lines() const { return lines_; }
 
   [[nodiscard]] bool misses(const ImagePoint& centre) const {
     return std::ranges::any_of(lines_, [&](const Line& line) {
@@ -94,19 +99,22 @@ class CellsOfFacets {
     const Sign turn = scene_.facing[f.index()] == FacetFacing::back ? -1 : 1;
     const CellRange range = grid_.range_of(points);
     if (points.size() == 3 && is_small(range)) return add_small(outline, range, proper, turn, cells);
+    boost::container::small_vector<Line, 6> lines;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      lines.emplace_back(points[i], points[i + 1 == points.size() ? 0 : i + 1], 0);
     grid_.for_each_in_polygon(points, [&](unsigned column, unsigned row) {
-      cells.emplace_back(grid_.cell(column, row), !proper || is_over(outline, grid_.centre(column, row), turn));
+      cells.emplace_back(grid_.cell(column, row),
+                         !proper || is_over(outline, {lines.data(), lines.size()}, grid_.centre(column, row), turn));
       return true;
     });
   }
 
  private:
-  [[nodiscard]] bool is_over(const FacetOutline& outline, const ImagePoint& p, Sign turn) const {
-    const auto points = outline.points();
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const std::size_t next = i + 1 == points.size() ? 0 : i + 1;
-      Sign side = Line(points[i], points[next], 0).certain_side(p, grid_.spread());
-      if (side == 0) side = sides_.orientation(outline.ids()[i], outline.ids()[next], p);
+  [[nodiscard]] bool is_over(const FacetOutline& outline, std::span<const Line> lines, const ImagePoint& p,
+                             Sign turn) const {
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      Sign side = lines[i].certain_side(p, grid_.spread());
+      if (side == 0) side = sides_.orientation(outline.ids()[i], outline.ids()[i + 1 == lines.size() ? 0 : i + 1], p);
       if (side * turn < 0) return false;
     }
     return true;
@@ -118,7 +126,7 @@ class CellsOfFacets {
     CellGrid::for_each(range, [&](unsigned column, unsigned row) {
       const ImagePoint centre = grid_.centre(column, row);
       if (range.is_narrow() || !triangle.misses(centre))
-        cells.emplace_back(grid_.cell(column, row), !proper || is_over(outline, centre, turn));
+        cells.emplace_back(grid_.cell(column, row), !proper || is_over(outline, triangle.lines(), centre, turn));
       return true;
     });
   }

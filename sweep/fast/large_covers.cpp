@@ -16,6 +16,14 @@ constexpr int tile_level = 5;
 // A facet covers cells only where it is some of them wide.
 constexpr unsigned least_width = 4;
 
+// How far at most a cell's points are from both ends of an edge, both ways added up, and twice the spread.
+double far_from(const ImagePoint& a, const ImagePoint& b, const ImagePoint& centre, double half, double spread) {
+  const auto way = [&](const ImagePoint& p) {
+    return std::fabs(static_cast<double>(centre.x - p.x)) + std::fabs(static_cast<double>(centre.y - p.y));
+  };
+  return way(a) + way(b) + 4 * half + 2 * spread;
+}
+
 class LargeCovers {
  public:
   LargeCovers(const ProjectedScene& scene, const CellSides& sides, const std::vector<DepthRange>& depths)
@@ -114,18 +122,15 @@ class LargeCovers {
       const ImagePoint& a = outline[i];
       const std::size_t next = i + 1 == outline.size() ? 0 : i + 1;
       const ImagePoint& b = outline[next];
-      if (sides_.is_on_border(of_f.ids()[i], of_f.ids()[next])) continue;
       const auto dx = static_cast<double>(b.x - a.x);
       const auto dy = static_cast<double>(b.y - a.y);
       const double left = dx * static_cast<double>(centre.y - a.y);
       const double right = dy * static_cast<double>(centre.x - a.x);
-      const double far = std::fabs(static_cast<double>(centre.x - a.x)) +
-                         std::fabs(static_cast<double>(centre.y - a.y)) +
-                         std::fabs(static_cast<double>(centre.x - b.x)) +
-                         std::fabs(static_cast<double>(centre.y - b.y)) + 4 * half + 2 * spread;
-      const double reach = half * (std::fabs(dx) + std::fabs(dy)) + spread * far;
-      if (!(turn * (left - right) > reach * (1 + 0x1p-40) + 0x1p-40 * (std::fabs(left) + std::fabs(right))))
-        return false;
+      double reach = half * (std::fabs(dx) + std::fabs(dy));
+      if (spread > 0) reach += spread * far_from(a, b, centre, half, spread);
+      const bool passes =
+          turn * (left - right) > reach * (1 + 0x1p-40) + 0x1p-40 * (std::fabs(left) + std::fabs(right));
+      if (!passes && !sides_.is_on_border(of_f.ids()[i], of_f.ids()[next])) return false;
     }
     return true;
   }

@@ -72,19 +72,38 @@ Bounded UnroundedImage::share_along(EdgeId a, EdgeId b) const {
   return determinant(way(top(a), top(b)), e) / determinant(direction(a), e);
 }
 
-CertifiedPlace UnroundedImage::filtered_place(const Place& place) const {
+// A swap edge's coefficients are at most 1, and each is off by u.
+CertifiedPlace UnroundedImage::place_on_swaps(const SwapEdge& p, const SwapEdge& q) {
+  const auto number = [](double coefficient) { return Bounded(coefficient, unit_roundoff); };
+  const auto minor = [&](double a, double b, double c, double d) {
+    return number(a) * number(d) - number(b) * number(c);
+  };
+  const Bounded w = minor(p.a, p.b, q.a, q.b);
+  const Bounded x = minor(p.b, p.c, q.b, q.c) / w;
+  const Bounded y = minor(p.c, p.a, q.c, q.a) / w;
+  return {x.value, y.value, std::max(x.radius, y.radius)};
+}
+
+// A swap edge's form has a value at each end of the other edge; where it is zero is in proportion between them.
+Bounded UnroundedImage::share_to_swap(EdgeId e, EdgeId swap) const {
+  const Bounded at_top = swap_side(swap, top(e));
+  return at_top / (at_top - swap_side(swap, certified(edge(e).bottom)));
+}
+
+CertifiedPlace UnroundedImage::filtered_place(const Place& crossing) const {
+  if (is_swap_edge(crossing.a) && is_swap_edge(crossing.b))
+    return place_on_swaps(swap_edge(crossing.a), swap_edge(crossing.b));
+  const Place place = is_swap_edge(crossing.a) ? Place{crossing.b, crossing.a} : crossing;
   const Way d = direction(place.a);
-  const Bounded share = share_along(place.a, place.b);
+  const Bounded share = is_swap_edge(place.b) ? share_to_swap(place.a, place.b) : share_along(place.a, place.b);
   const Bounded x = Bounded(top(place.a).x, top(place.a).radius) + share * Bounded(d.x, d.radius);
   const Bounded y = Bounded(top(place.a).y, top(place.a).radius) + share * Bounded(d.y, d.radius);
   return {x.value, y.value, std::max(x.radius, y.radius)};
 }
 
 CertifiedPlace UnroundedImage::certified(const Place& place) const {
-  if (!is_swap_edge(place.a) && !is_swap_edge(place.b)) {
-    const CertifiedPlace filtered = filtered_place(place);
-    if (filtered.radius < largest_radius) return filtered;
-  }
+  const CertifiedPlace filtered = filtered_place(place);
+  if (filtered.radius < largest_radius) return filtered;
   const std::lock_guard lock(memory_->lock);
   const auto [known, is_new] = memory_->crossings.try_emplace(key(place.a.value, place.b.value));
   if (is_new) known->second = geometry::certified(meeting(place));

@@ -116,7 +116,9 @@ class UnroundedImage {
   [[nodiscard]] const CertifiedPlace& top(EdgeId e) const { return certified(edge(e).top); }
   [[nodiscard]] Way computed_direction(EdgeId e) const;
   [[nodiscard]] Bounded share_along(EdgeId a, EdgeId b) const;
-  [[nodiscard]] CertifiedPlace filtered_place(const Place& place) const;
+  [[nodiscard]] static CertifiedPlace place_on_swaps(const SwapEdge& p, const SwapEdge& q);
+  [[nodiscard]] Bounded share_to_swap(EdgeId e, EdgeId swap) const;
+  [[nodiscard]] CertifiedPlace filtered_place(const Place& crossing) const;
   [[nodiscard]] Bounded swap_side(EdgeId e, const CertifiedPlace& place) const;
   [[nodiscard]] Sign exact_side(EdgeId e, PointId p) const;
   [[nodiscard]] Sign exact_turn(EdgeId a, EdgeId b) const;

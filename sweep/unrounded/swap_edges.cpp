@@ -8,7 +8,7 @@ namespace sightline::inline sweep {
 
 EdgeId SwapEdges::between(FacetId f, FacetId g) {
   const auto [first, second] = std::minmax({surface_of(scene_.mesh(), f), surface_of(scene_.mesh(), g)});
-  const auto [known, is_new] = known_.try_emplace({first, second});
+  const auto [known, is_new] = known_.try_emplace(std::uint64_t{first.value} << 32 | second.value);
   if (is_new) {
     known->second = EdgeId(scene_.edge_count() + edges_.size());
     edges_.push_back(made(first, second));

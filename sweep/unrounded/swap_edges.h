@@ -12,6 +12,7 @@
 
 #include <array>
 #include <map>
+#include <unordered_map>
 #include <vector>
 
 #include "sweep/segments/swap_edge.h"
@@ -42,7 +43,7 @@ class SwapEdges {
 
   const ProjectedScene& scene_;
   std::vector<SwapEdge> edges_;
-  std::map<std::array<FacetId, 2>, EdgeId> known_;
+  std::unordered_map<std::uint64_t, EdgeId> known_;  // by both surfaces; only looked up
   std::map<FacetId, Nearness> nearness_;
 };
 

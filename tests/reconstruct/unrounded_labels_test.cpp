@@ -42,7 +42,7 @@ TEST_CASE("without rounding the labelled surfaces of random scenes conform and a
   for (std::uint64_t seed = 1; seed <= scenes; ++seed) {
     CAPTURE(seed);
     const lattice::RandomScene scene = seed % 2 == 0 ? lattice::random_scene(seed) : lattice::crossing_scene(seed);
-    for (const Moved how : {Moved::not_at_all, Moved::turned, Moved::by_last_bits}) {
+    for (const Moved how : every_move) {
       CAPTURE(static_cast<int>(how));
       const View view = unrounded(moved(scene, how), scene.camera, scene.sides);
       check_valid(view);

@@ -75,10 +75,10 @@ TEST_CASE("engines: random scenes whose faces pass through each other") {
 // Nothing is rounded, and nothing cut: facets pass through each other.
 TEST_CASE("engines without rounding: random scenes, and such whose faces pass through each other") {
   EngineTally tally;
-  for (std::uint64_t seed = 1; seed <= scene_count(1500); ++seed) {
+  for (std::uint64_t seed = 1; seed <= scene_count(500); ++seed) {
     CAPTURE(seed);
     const RandomScene scene = seed % 2 == 0 ? random_scene(seed) : crossing_scene(seed);
-    for (const tests::Moved how : {tests::Moved::not_at_all, tests::Moved::turned, tests::Moved::by_last_bits}) {
+    for (const tests::Moved how : tests::every_move) {
       CAPTURE(static_cast<int>(how));
       const ProjectedScene projected =
           project(uncrossed(tests::moved(scene, how)), scene.camera, scene.sides, {Arithmetic::unrounded});
@@ -86,6 +86,30 @@ TEST_CASE("engines without rounding: random scenes, and such whose faces pass th
     }
   }
   CHECK(tally.points > 0);
+}
+
+// Its ends are on two sides of the window, a last bit from the corner; on the grid both are the corner.
+TEST_CASE("engines without rounding: an edge that cuts a corner off the window is not on its border") {
+  EngineTally tally;
+  for (const std::uint64_t seed : {2794, 3994, 5859}) {
+    CAPTURE(seed);
+    const RandomScene scene = seed % 2 == 0 ? random_scene(seed) : crossing_scene(seed);
+    const Mesh mesh = tests::moved(scene, tests::Moved::by_last_bits);
+    const ProjectedScene projected = project(uncrossed(mesh), scene.camera, scene.sides, {Arithmetic::unrounded});
+    CHECK(engine_differences(projected, {options_of(seed), {3, 1}, {9, 1}}, tally) == "");
+  }
+}
+
+// On the grid it touches other cells than where it is.
+TEST_CASE("engines without rounding: an edge that passes a cell's corner by less than a spacing") {
+  EngineTally tally;
+  for (const std::uint64_t seed : {1622, 2114, 2208}) {
+    CAPTURE(seed);
+    const Mesh mesh = tests::moved(random_scene(seed), tests::Moved::by_parts_of_spacings);
+    const RandomScene scene = random_scene(seed);
+    const ProjectedScene projected = project(uncrossed(mesh), scene.camera, scene.sides, {Arithmetic::unrounded});
+    CHECK(engine_differences(projected, {options_of(seed), {static_cast<int>(seed % 8), 7}}, tally) == "");
+  }
 }
 
 TEST_CASE("engines without rounding: random surfaces") {

@@ -84,7 +84,7 @@ TEST_CASE("without rounding the visible areas are the truth's, as rationals") {
   Tally plain;
   Tally crossing;
   for (std::uint64_t seed = first_seed; seed < first_seed + scenes; ++seed) {
-    for (const Moved how : {Moved::not_at_all, Moved::turned, Moved::by_last_bits}) {
+    for (const Moved how : every_move) {
       CAPTURE(seed);
       CAPTURE(static_cast<int>(how));
       const RandomScene apart = lattice::random_scene(seed);

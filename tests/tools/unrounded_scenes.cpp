@@ -19,6 +19,8 @@ Mesh moved(const lattice::RandomScene& scene, Moved how) {
     for (Eigen::Index i = 0; i < 3 && how == Moved::by_last_bits; ++i) {
       if (random() % 3 == 0) p[i] = std::nextafter(p[i], random() % 2 == 0 ? 1e9 : -1e9);
     }
+    for (Eigen::Index i = 0; i < 3 && how == Moved::by_parts_of_spacings; ++i)
+      p[i] += 0x1p-43 * static_cast<double>(random() % 17) - 0x1p-40;
   }
   return mesh_of(result);
 }

@@ -1,6 +1,7 @@
 // Scenes on which it shows whether anything is rounded.
 #pragma once
 
+#include <array>
 #include <random>
 
 #include "geometry/mesh/mesh.h"
@@ -9,8 +10,11 @@
 
 namespace sightline::tests {
 
-// A small turn leaves nothing on the lattice; a last bit leaves everything nearly on it.
-enum class Moved { not_at_all, turned, by_last_bits };
+// A small turn leaves nothing on the lattice; a last bit leaves everything nearly on it; and parts of a spacing of the image's
+// grid leave everything as far off it as rounding moves it.
+enum class Moved { not_at_all, turned, by_last_bits, by_parts_of_spacings };
+inline constexpr std::array every_move{Moved::not_at_all, Moved::turned, Moved::by_last_bits,
+                                       Moved::by_parts_of_spacings};
 
 [[nodiscard]] Mesh moved(const lattice::RandomScene& scene, Moved how);
 
