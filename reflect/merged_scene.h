@@ -1,7 +1,7 @@
 // A view's scene and segments with the borders of regions in them.
 //
-// In:  the projected scene and its visible segments, which are taken over; a border, whose segments' lines and places are
-//      known by value (image_place.h).
+// In:  the projected scene and its visible segments, which are taken over, or copied where nothing is rounded; a border, whose
+//      segments' lines and places are known by value (image_place.h).
 // Out: both again, with new numbers for points and edges: the lines of the border are edges without sides, and the ends
 //      of its segments are points, scene points or crossings; and per segment of the border these numbers. Facets, and the
 //      visible segments' order and ids, stay. Points and edges are numbered anew since their order is the sweep's.

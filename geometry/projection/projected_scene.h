@@ -2,8 +2,8 @@
 //
 // In:  a mesh, a camera, which sides count.
 // Out: image points (rounded once to the grid, exactly: the nearest grid point of the exact projection; or, where that is
-//      asked for, not at all), the edges
-//      between them with the facets on their two sides, and per facet its polygon in the image after clipping.
+//      asked for, not at all), the edges between them with the facets on their two sides, and per facet its polygon in the
+//      image after clipping.
 // Holds (validate(scene) checks it):
 //   - points are distinct and in sweep order, so that a smaller PointId is swept earlier; where they are not rounded, the
 //     places are;
