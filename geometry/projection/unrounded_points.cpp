@@ -38,6 +38,8 @@ class PointNumbering {
     for (const ClippedCorner& corner : scene_.polygon_corners) {
       if (corner.vertex.valid()) in_view[welded(corner.vertex).index()] = corner.vertex;
     }
+    found_.reserve(scene_.made_corners.size() +
+                   static_cast<std::size_t>(std::ranges::count_if(in_view, &VertexId::valid)));
     for (const VertexId v : in_view) {
       if (v.valid()) found_.push_back({of_vertices_[v.index()], {v, {}}});
     }
@@ -83,6 +85,9 @@ class PointNumbering {
   void number_points() {
     tbb::parallel_sort(found_.begin(), found_.end(),
                        [this](const Found& a, const Found& b) { return compare(a, b) < 0; });
+    scene_.points.reserve(found_.size());
+    scene_.unrounded.places.reserve(found_.size());
+    scene_.unrounded.sources.reserve(found_.size());
     std::vector<PointId> of_vertex(scene_.mesh().vertices.size());
     std::vector<PointId> of_made(scene_.made_corners.size());
     for (std::size_t i = 0; i < found_.size(); ++i) {
