@@ -91,7 +91,7 @@ TEST_CASE("engines without rounding: random scenes, and such whose faces pass th
 // Its ends are on two sides of the window, a last bit from the corner; on the grid both are the corner.
 TEST_CASE("engines without rounding: an edge that cuts a corner off the window is not on its border") {
   EngineTally tally;
-  for (const std::uint64_t seed : {2794, 3994, 5859}) {
+  for (const std::uint64_t seed : {2794U, 3994U, 5859U}) {
     CAPTURE(seed);
     const RandomScene scene = seed % 2 == 0 ? random_scene(seed) : crossing_scene(seed);
     const Mesh mesh = tests::moved(scene, tests::Moved::by_last_bits);
@@ -103,7 +103,7 @@ TEST_CASE("engines without rounding: an edge that cuts a corner off the window i
 // On the grid it touches other cells than where it is.
 TEST_CASE("engines without rounding: an edge that passes a cell's corner by less than a spacing") {
   EngineTally tally;
-  for (const std::uint64_t seed : {1622, 2114, 2208}) {
+  for (const std::uint64_t seed : {1622U, 2114U, 2208U}) {
     CAPTURE(seed);
     const Mesh mesh = tests::moved(random_scene(seed), tests::Moved::by_parts_of_spacings);
     const RandomScene scene = random_scene(seed);
