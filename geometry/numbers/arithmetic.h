@@ -3,8 +3,10 @@
 //   single_precision, double_precision: every decision of projection, sweep and depth is a plain evaluation in that
 //     type, with no error bound and nothing behind it. Best effort: the outcome is a result, or an ArithmeticError that
 //     says which invariant broke. It ends on every input.
-//   exact: no decision is ever rounded; the points of the image are, once, to the grid. The default.
-//   unrounded: nothing is rounded before it is written, and facets may pass through each other. The grid is none.
+//   exact: no decision is ever rounded; the points of the image are, once, to the grid. What a stage does
+//     that is called by itself, unless it is told otherwise.
+//   unrounded: nothing is rounded before it is written, and facets may pass through each other. There is no grid. What an
+//     Analyzer and the command do unless they are told otherwise.
 // What is exact in all of them: reading, cutting along common lines and the order of the pieces, which facets are clipped
 // and where (clipping.h), which facets the eye sees edge-on, and what is computed from the sweep's result, where a
 // crossing is the pair of edges that makes it.

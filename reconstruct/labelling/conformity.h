@@ -2,8 +2,8 @@
 //
 // In:  a labelled mesh with every id in range, sorted by face, and the mesh it refines.
 // Out: messages with ids.
-// Method: chains of directed edges between vertices (those of the input at one position are one). What is left of the sides of a face's triangles when opposite directions have cancelled is its border. Each mesh edge
-// has one chain of segments, read off the border of the first face that shows it. Then the border of every face has to
+// Method: chains of directed edges between vertices (those of the input at one position are one). What is left of the sides
+// of a face's triangles when opposite directions have cancelled is its border. Each mesh edge has one chain of segments, read off the border of the first face that shows it. Then the border of every face has to
 // be the sum of the chains of its mesh edges, in their directions. So sides inside a face are matched within it, and
 // a segment of a mesh edge has as many triangles as the mesh edge has facets: closed in, closed out. Nothing is assumed
 // about the mesh: edges with one facet or many, in whatever directions, edges on edges, all the same. Rounding plays

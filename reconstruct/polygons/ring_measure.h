@@ -2,8 +2,8 @@
 // exactly.
 //
 // In:  the points of a sweep's result, its segments, and rings as lists of segments that chain.
-// Out: measures in the window's units, with their radius: a point's coordinates are off by a radius of their own. A difference of two is off by both, and rounds; a length is
-//      off by the radii of both coordinates, and by 2 u of itself (u = 2^-53). What follows from it is Bounded's.
+// Out: measures in the window's units, with their radius: a point's coordinates are off by a radius of their own. A
+//      difference of two is off by both, and rounds; a length is off by the radii of both coordinates, and by 2 u of itself (u = 2^-53). What follows from it is Bounded's.
 // Complexity: O(n); the exact area O(n log n) multiplications of integers that grow to O(n) digits.
 #pragma once
 

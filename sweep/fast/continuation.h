@@ -6,8 +6,8 @@
 //      than two facets, one where different edges of the mesh fall on each other, one of a facet that rounding has
 //      turned over.
 // Holds: a facet with an edge that is no contour edge is proper: it is in view, its rounded polygon is convex, not
-//      degenerate, and turns as the facet does. Without rounding all facets in view are. So the facets that continue each other cover what they cover of the
-//      image once.
+//      degenerate, and turns as the facet does. Without rounding all facets in view are. So the facets that
+//      continue each other cover what they cover of the image once.
 // Complexity: O(n).
 // Source: docs/design.md, section 8, idea 1.
 #pragma once
