@@ -1,6 +1,7 @@
 #include "sweep/plain/depth_order.h"
 
 #include <algorithm>
+#include <bit>
 
 #include "geometry/mesh/facet_plane.h"
 #include "geometry/projection/seen_orientation.h"
@@ -51,12 +52,13 @@ DepthRelation DepthOrder::relation_of_uncut(UncutFacetId f, UncutFacetId g) {
 
 void DepthOrder::set_local_order(LocalOrder* local) {
   local_ = local;
-  known_.resize(std::size_t{1} << known_bits);
+  known_bits_ = std::min(most_known_bits, 4 + static_cast<int>(std::bit_width(mesh_.uncut_facet_count())));
+  known_.resize(std::size_t{1} << known_bits_);
 }
 
 DepthRelation DepthOrder::known_relation(UncutFacetId f, UncutFacetId g) {
   const std::uint64_t pair = std::uint64_t{f.value} << 32 | g.value;
-  Known& known = known_[(pair * 0x9E3779B97F4A7C15U) >> (64 - known_bits)];
+  Known& known = known_[(pair * 0x9E3779B97F4A7C15U) >> (64 - known_bits_)];
   if (known.pair != pair) known = {pair, relation_of_uncut(f, g)};
   return known.relation;
 }

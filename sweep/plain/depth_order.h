@@ -105,7 +105,8 @@ class DepthOrder {
     std::uint64_t pair = 0;
     DepthRelation relation;
   };
-  static constexpr int known_bits = 14;
+  static constexpr int most_known_bits = 14;
+  int known_bits_ = 0;
   std::vector<Known> known_;
   predicates::Counts counts_;
   std::uint64_t comparisons_ = 0;

@@ -149,6 +149,16 @@ TEST_CASE("cell grid: a point on the line between cells touches both, and one on
   CHECK(border.top == 0);
 }
 
+TEST_CASE("cells: there are not many more than facets, however small these are in the image") {
+  for (const double half_width : {1.0, 1e-2, 1e-5}) {
+    const ProjectedScene scene = seen_from_above(sheets({{1, half_width, 1}, {2, half_width, 4}}));
+    const SceneInCells in(scene, std::nullopt);
+    CAPTURE(half_width);
+    CHECK(in.grid.cell_count() >= 16);
+    CHECK(in.grid.cell_count() <= 64 * scene.status.size());
+  }
+}
+
 TEST_CASE("continuation: inside a sheet every edge continues it, and its border is contour") {
   const Mesh mesh = sheets({{1, 0.9, 4}});
   const ProjectedScene scene = seen_from_above(mesh);
