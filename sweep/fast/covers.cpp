@@ -235,17 +235,14 @@ class CoverFinder : private LocalOrder {
   }
 
   // Facets that pass through each other have one order in the cell where the line along which they change places certainly
-  // misses it. The line's coefficients are at most 1, off by u = 2^-53, and the centre is exact.
+  // misses it: the cell is a place known up to half its size.
   [[nodiscard]] DepthRelation relation_here(FacetId f, FacetId g) override {
     const EdgeId edge = swap_edges_.between(f, g);
-    const SwapEdge& swap = swap_edges_.all()[edge.index() - scene_.edge_count()];
     const auto window = [this](double spacings) { return std::ldexp(spacings, -scene_.grid_bits); };
-    const double at_centre =
-        swap.a * window(static_cast<double>(centre_.x)) + swap.b * window(static_cast<double>(centre_.y)) + swap.c;
-    const double reach = (std::fabs(swap.a) + std::fabs(swap.b)) * window(static_cast<double>(grid_.cell_size()) / 2);
-    const bool is_one_side = !swap.is_seen || std::fabs(at_centre) > reach * (1 + 0x1p-50) + 0x1p-49;
-    const Sign side = !swap.is_seen || at_centre > 0 ? 1 : -1;
-    return {is_one_side && side == swap_edges_.nearer_side(edge, f), !is_one_side};
+    const CertifiedPlace cell{window(static_cast<double>(centre_.x)), window(static_cast<double>(centre_.y)),
+                              window(static_cast<double>(grid_.cell_size()) / 2)};
+    const auto side = certain_sign(distance_right_of(swap_edges_.all()[edge.index() - scene_.edge_count()], cell));
+    return {side == swap_edges_.nearer_side(edge, f), !side};
   }
 
   [[nodiscard]] bool is_beyond(const FacetOutline& outline, FacetId f, const FacetOutline& of_f) const {

@@ -15,7 +15,7 @@ UnroundedImage::UnroundedImage(const ProjectedScene& scene, const std::vector<Sw
     : scene_(scene),
       edge_count_(scene.edge_count()),
       swap_edges_(swap_edges),
-      memory_(std::make_unique<Memory>(scene.camera)) {}
+      memory_(std::make_unique<Memory>(scene)) {}
 
 void UnroundedImage::expect_many_questions() {
   directions_.reserve(edge_count_);
@@ -23,14 +23,14 @@ void UnroundedImage::expect_many_questions() {
 }
 
 UnroundedImage::Way UnroundedImage::computed_direction(EdgeId e) const {
-  if (is_swap_edge(e)) return {swap_edge(e).b, -swap_edge(e).a, unit_roundoff};
+  if (is_swap_edge(e)) return {swap_edge(e).b, -swap_edge(e).a, swap_edge(e).radius};
   return way(top(e), certified(edge(e).bottom));
 }
 
 Sign UnroundedImage::side(EdgeId e, const Place& place) const {
   if (place.a == e || place.b == e) return 0;
-  const auto sign = certain_sign(distance_right_of(e, certified(place)));
-  if (sign) return *sign;
+  if (const auto sign = certain_sign(distance_right_of(e, filtered_place(place)))) return *sign;
+  if (const auto sign = certain_sign(distance_right_of(e, certified(place)))) return *sign;
   const std::lock_guard lock(memory_->lock);
   ++memory_->counts.exact_sides;
   return geometry::side(line(e), meeting(place));
@@ -61,7 +61,7 @@ Bounded UnroundedImage::height(EdgeId a, EdgeId b) const {
     const Way d = direction(a);
     return Bounded(top(a).y, top(a).radius) + share_along(a, b) * Bounded(d.y, d.radius);
   }
-  const CertifiedPlace place = certified(Place{a, b});
+  const CertifiedPlace place = filtered_place({a, b});
   return {place.y, place.radius};
 }
 
@@ -72,11 +72,9 @@ Bounded UnroundedImage::share_along(EdgeId a, EdgeId b) const {
   return determinant(way(top(a), top(b)), e) / determinant(direction(a), e);
 }
 
-// A swap edge's coefficients are at most 1, and each is off by u.
 CertifiedPlace UnroundedImage::place_on_swaps(const SwapEdge& p, const SwapEdge& q) {
-  const auto number = [](double coefficient) { return Bounded(coefficient, unit_roundoff); };
   const auto minor = [&](double a, double b, double c, double d) {
-    return number(a) * number(d) - number(b) * number(c);
+    return Bounded(a, p.radius) * Bounded(d, q.radius) - Bounded(b, p.radius) * Bounded(c, q.radius);
   };
   const Bounded w = minor(p.a, p.b, q.a, q.b);
   const Bounded x = minor(p.b, p.c, q.b, q.c) / w;
@@ -86,8 +84,8 @@ CertifiedPlace UnroundedImage::place_on_swaps(const SwapEdge& p, const SwapEdge&
 
 // A swap edge's form has a value at each end of the other edge; where it is zero is in proportion between them.
 Bounded UnroundedImage::share_to_swap(EdgeId e, EdgeId swap) const {
-  const Bounded at_top = swap_side(swap, top(e));
-  return at_top / (at_top - swap_side(swap, certified(edge(e).bottom)));
+  const Bounded at_top = distance_right_of(swap, top(e));
+  return at_top / (at_top - distance_right_of(swap, certified(edge(e).bottom)));
 }
 
 CertifiedPlace UnroundedImage::filtered_place(const Place& crossing) const {
@@ -159,10 +157,10 @@ const ExactPlace& UnroundedImage::meeting(const Place& place) const {
 }
 
 const ExactLine& UnroundedImage::line(EdgeId e) const {
-  if (is_swap_edge(e)) return swap_edge(e).line;
   const auto [known, is_new] = memory_->lines.try_emplace(e.value);
-  if (is_new) known->second = line_through(known_exact(edge(e).top), known_exact(edge(e).bottom));
-  return known->second;
+  if (!is_new) return known->second;
+  if (is_swap_edge(e)) return known->second = sweep::exact_line(swap_edge(e), memory_->nearness);
+  return known->second = line_through(known_exact(edge(e).top), known_exact(edge(e).bottom));
 }
 
 }  // namespace sightline::inline sweep

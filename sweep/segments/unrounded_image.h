@@ -57,7 +57,7 @@ class UnroundedImage {
 
   // Returns by how much a place is right of an edge, in units of its own, up to a radius.
   [[nodiscard]] Bounded distance_right_of(EdgeId e, const CertifiedPlace& place) const {
-    return is_swap_edge(e) ? swap_side(e, place) : determinant(direction(e), way(top(e), place));
+    return is_swap_edge(e) ? sweep::distance_right_of(swap_edge(e), place) : determinant(direction(e), way(top(e), place));
   }
 
   // A way is a difference of two places, or the direction of a line, of any length.
@@ -99,12 +99,13 @@ class UnroundedImage {
  private:
   // What integers found out, kept behind a lock. No result depends on its order: it is only looked up.
   struct Memory {
-    explicit Memory(const Camera& camera) : corners(camera) {}
+    explicit Memory(const ProjectedScene& scene) : corners(scene.camera), nearness(scene) {}
 
     std::mutex lock;
     ExactCorners corners;
+    ExactNearness nearness;
     std::unordered_map<std::uint32_t, ExactPlace> places;  // per point
-    std::unordered_map<std::uint32_t, ExactLine> lines;    // per edge of the scene
+    std::unordered_map<std::uint32_t, ExactLine> lines;    // per edge
     std::unordered_map<std::uint64_t, Sign> sides, turns;
     std::unordered_map<std::uint64_t, CertifiedPlace> crossings;  // two edges are one number
     std::unordered_map<std::uint64_t, ExactPlace> meetings;
@@ -119,7 +120,6 @@ class UnroundedImage {
   [[nodiscard]] static CertifiedPlace place_on_swaps(const SwapEdge& p, const SwapEdge& q);
   [[nodiscard]] Bounded share_to_swap(EdgeId e, EdgeId swap) const;
   [[nodiscard]] CertifiedPlace filtered_place(const Place& crossing) const;
-  [[nodiscard]] Bounded swap_side(EdgeId e, const CertifiedPlace& place) const;
   [[nodiscard]] Sign exact_side(EdgeId e, PointId p) const;
   [[nodiscard]] Sign exact_turn(EdgeId a, EdgeId b) const;
 
@@ -150,17 +150,9 @@ inline Bounded UnroundedImage::determinant(const Way& d, const Way& e) {
   return {left - right, Bounded::widened(Bounded::widened(through) + 3 * unit_roundoff * size(left, right))};
 }
 
-// The coefficients are at most 1 and off by u; two products and two sums round.
-inline Bounded UnroundedImage::swap_side(EdgeId e, const CertifiedPlace& place) const {
-  const SwapEdge& swap = swap_edge(e);
-  const double reach = size(place.x, place.y) + 1;
-  return {(swap.a * place.x + swap.b * place.y) + swap.c,
-          Bounded::widened(2 * place.radius + 5 * unit_roundoff * reach)};
-}
-
 inline Sign UnroundedImage::side(EdgeId e, PointId p) const {
   if (is_swap_edge(e)) {
-    const auto sign = certain_sign(swap_side(e, certified(p)));
+    const auto sign = certain_sign(sweep::distance_right_of(swap_edge(e), certified(p)));
     return sign ? *sign : exact_side(e, p);
   }
   if (p == edge(e).top || p == edge(e).bottom) return 0;

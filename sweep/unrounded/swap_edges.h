@@ -3,15 +3,12 @@
 // In:  an unrounded scene; pairs of facets, as somebody asks for them.
 // Out: per pair of surfaces a line, directed downwards like an edge of the scene, and which of both is nearer on its right.
 // A pair may be asked for whose facets overlap beside and behind the camera, too.
-// Method: how near a plane is to the eye (1 / W of a pinhole camera, minus the depth otherwise) is a linear form of the
-//      homogeneous place (x, y, w), found from three corners. Where two forms are equal, the planes meet; so the line is the
-//      difference of the forms, and its sign says who is nearer.
-// Complexity: O(1) per pair, in integers of any size, once.
+// Method: the difference of two forms (swap_edge.h), by a filter, and exactly where that leaves something open.
+// Complexity: O(1) per pair, once.
 // Source: docs/unrounded.md.
 #pragma once
 
-#include <array>
-#include <map>
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
@@ -21,7 +18,7 @@ namespace sightline::inline sweep {
 
 class SwapEdges {
  public:
-  explicit SwapEdges(const ProjectedScene& scene) : scene_(scene) {}
+  explicit SwapEdges(const ProjectedScene& scene) : scene_(scene), exact_nearness_(scene) {}
 
   // By their ids, which follow those of the scene's edges.
   [[nodiscard]] const std::vector<SwapEdge>& all() const { return edges_; }
@@ -34,17 +31,14 @@ class SwapEdges {
   [[nodiscard]] Sign nearer_side(EdgeId e, FacetId f) const;
 
  private:
-  // (a x + b y + c w) / k says how near the plane is; k > 0.
-  struct Nearness {
-    BigInteger a, b, c, k;
-  };
-  [[nodiscard]] const Nearness& nearness(FacetId surface);
-  [[nodiscard]] SwapEdge made(FacetId f, FacetId g);
+  [[nodiscard]] const std::optional<Nearness<Bounded>>& nearness(FacetId surface);
+  [[nodiscard]] SwapEdge made(FacetId first, FacetId second);
 
   const ProjectedScene& scene_;
   std::vector<SwapEdge> edges_;
   std::unordered_map<std::uint64_t, EdgeId> known_;  // by both surfaces; only looked up
-  std::map<FacetId, Nearness> nearness_;
+  std::unordered_map<std::uint32_t, std::optional<Nearness<Bounded>>> nearness_;  // per surface; only looked up
+  ExactNearness exact_nearness_;
 };
 
 }  // namespace sightline::inline sweep
