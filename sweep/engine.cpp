@@ -87,7 +87,7 @@ VisibleSegments fast_visible_segments(const ProjectedScene& scene, const FastOpt
   const SceneInCells in(scene, options.level);
   const Covers covers = find_covers(in);
   const std::vector<Role> roles = find_roles(in, covers);
-  const Bands bands = make_bands(in, roles, options.bands.value_or(band_count(in, roles)));
+  const Bands bands = options.bands ? make_bands(in, roles, *options.bands) : make_bands(in, roles);
   return join_segments(in, roles, bands, swept_bands(in, bands, observer));
 }
 

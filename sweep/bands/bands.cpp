@@ -115,16 +115,15 @@ class BandMaker {
 constexpr std::size_t open_facets_in_a_band = 10000;
 // What reaches from one band into the next is swept twice, so a band should be so many times higher than a facet.
 constexpr double band_height_in_facets = 20;
-// But so many bands are shared out at any price.
-constexpr std::size_t bands_at_any_price = 4;
+// But so many bands are shared out, if no more than this part of what they sweep is swept twice.
+constexpr std::size_t bands_to_share_out = 4;
+constexpr double most_repeated = 0.25;
 
 unsigned rows_of(std::span<const FacetCell> cells, const CellGrid& grid) {
   if (cells.empty()) return 0;
   const auto [low, high] = std::ranges::minmax(cells, {}, &FacetCell::cell);
   return high.cell() / grid.side() - low.cell() / grid.side() + 1;
 }
-
-}  // namespace
 
 std::size_t band_count(const SceneInCells& in, const std::vector<Role>& roles) {
   std::atomic<std::size_t> open = 0;
@@ -137,11 +136,32 @@ std::size_t band_count(const SceneInCells& in, const std::vector<Role>& roles) {
   if (open == 0) return 1;
   const double mean_rows = static_cast<double>(rows) / static_cast<double>(open);
   const auto by_height = static_cast<std::size_t>(in.grid.side() / (band_height_in_facets * std::max(mean_rows, 1.0)));
-  return std::min(1 + open / open_facets_in_a_band, std::max(bands_at_any_price, by_height));
+  return std::min(1 + open / open_facets_in_a_band, std::max(bands_to_share_out, by_height));
 }
+
+// Returns whether too many of the facets that bands sweep are swept by more than one.
+bool repeat_too_much(const Bands& bands, std::size_t facets) {
+  std::vector<std::uint8_t> is_swept(facets, 0);
+  std::size_t swept = 0;
+  for (const std::vector<FacetId>& band : bands.swept) {
+    swept += band.size();
+    for (const FacetId f : band) is_swept[f.index()] = 1;
+  }
+  const auto once = static_cast<double>(std::ranges::count(is_swept, 1));
+  return static_cast<double>(swept) > (1 + most_repeated) * once;
+}
+
+}  // namespace
 
 Bands make_bands(const SceneInCells& in, const std::vector<Role>& roles, std::size_t count) {
   return BandMaker(in, roles, count).make();
+}
+
+Bands make_bands(const SceneInCells& in, const std::vector<Role>& roles) {
+  std::size_t count = band_count(in, roles);
+  Bands bands = make_bands(in, roles, count);
+  while (count > 1 && repeat_too_much(bands, roles.size())) bands = make_bands(in, roles, count /= 2);
+  return bands;
 }
 
 }  // namespace sightline::inline sweep

@@ -26,10 +26,10 @@ struct Bands {
   std::vector<std::vector<FacetId>> swept;  // per band, by id
 };
 
-// Returns how many bands pay, whatever the number of threads is.
-[[nodiscard]] std::size_t band_count(const SceneInCells& in, const std::vector<Role>& roles);
-
 // There is at least one band, and there are at most most_bands.
 [[nodiscard]] Bands make_bands(const SceneInCells& in, const std::vector<Role>& roles, std::size_t count);
+
+// Makes as many bands as pay, whatever the number of threads is.
+[[nodiscard]] Bands make_bands(const SceneInCells& in, const std::vector<Role>& roles);
 
 }  // namespace sightline::inline sweep

@@ -86,11 +86,27 @@ ExactPlace ImagePoints::exact(PointId p) const {
   return unrounded_ ? unrounded_->exact(UnroundedImage::Place{made->a, made->b}) : exact_place(*scene_, *segments_, p);
 }
 
+bool ImagePoints::is_named_by(EdgeId e, PointId p) const {
+  if (const Crossing* const made = crossing(p)) return made->a == e || made->b == e;
+  return e.index() < scene_->edge_count() && (scene_->edge(e).top == p || scene_->edge(e).bottom == p);
+}
+
+// Crossings of one edge are on one line, which no filter finds.
+bool ImagePoints::are_on_one_edge(PointId a, PointId b, PointId c) const {
+  for (const PointId p : {a, b, c}) {
+    const Crossing* const made = crossing(p);
+    if (made == nullptr) continue;
+    const auto has_all = [&](EdgeId e) { return is_named_by(e, a) && is_named_by(e, b) && is_named_by(e, c); };
+    return has_all(made->a) || has_all(made->b);
+  }
+  return false;
+}
+
 Sign ImagePoints::orientation(PointId a, PointId b, PointId c) const {
   if (a == b || b == c || a == c) return 0;
   if (unrounded_) {
-    const auto sign = certain_orientation(certified(a), certified(b), certified(c));
-    return sign ? *sign : geometry::orientation(exact(a), exact(b), exact(c));
+    if (const auto sign = certain_orientation(certified(a), certified(b), certified(c))) return *sign;
+    return are_on_one_edge(a, b, c) ? 0 : geometry::orientation(exact(a), exact(b), exact(c));
   }
   const auto sign = certain_orientation_on_grid(approximate(a), approximate(b), approximate(c));
   if (sign) return *sign;

@@ -51,6 +51,8 @@ class ImagePoints final : public EdgeTurns {
 
  private:
   [[nodiscard]] const Crossing* crossing(PointId p) const;
+  [[nodiscard]] bool is_named_by(EdgeId e, PointId p) const;
+  [[nodiscard]] bool are_on_one_edge(PointId a, PointId b, PointId c) const;
 
   const ProjectedScene* scene_;
   const VisibleSegments* segments_;

@@ -120,8 +120,13 @@ int UnroundedImage::compare(const Place& a, const Place& b) const {
   const int by_height = compare_heights(height(a.a, a.b), height(b.a, b.b));
   if (by_height != 0) return by_height;
   const std::lock_guard lock(memory_->lock);
+  const std::uint64_t first_at_a = first_known_at(a);
+  const std::uint64_t first_at_b = first_known_at(b);
+  if (first_at_a == first_at_b) return 0;
   ++memory_->counts.exact_orders;
-  return sweep_compare(meeting(a), meeting(b));
+  const int order = sweep_compare(meeting(a), meeting(b));
+  if (order == 0) memory_->same[first_at_a] = first_at_b;
+  return order;
 }
 
 ExactPlace UnroundedImage::exact(PointId p) const {
@@ -154,6 +159,19 @@ const ExactPlace& UnroundedImage::meeting(const Place& place) const {
   const auto [known, is_new] = memory_->meetings.try_emplace(key(place.a.value, place.b.value));
   if (is_new) known->second = meeting_place(line(place.a), line(place.b));
   return known->second;
+}
+
+// Crossings that are known to be at one place lead to one of them; what leads there is made shorter on the way.
+std::uint64_t UnroundedImage::first_known_at(const Place& place) const {
+  std::uint64_t at = key(place.a.value, place.b.value);
+  auto next = memory_->same.find(at);
+  while (next != memory_->same.end()) {
+    const auto after = memory_->same.find(next->second);
+    if (after == memory_->same.end()) return next->second;
+    at = next->second = after->second;
+    next = memory_->same.find(at);
+  }
+  return at;
 }
 
 const ExactLine& UnroundedImage::line(EdgeId e) const {

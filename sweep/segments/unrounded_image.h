@@ -109,6 +109,7 @@ class UnroundedImage {
     std::unordered_map<std::uint64_t, Sign> sides, turns;
     std::unordered_map<std::uint64_t, CertifiedPlace> crossings;  // two edges are one number
     std::unordered_map<std::uint64_t, ExactPlace> meetings;
+    std::unordered_map<std::uint64_t, std::uint64_t> same;  // per crossing another one at its place
     UnroundedCounts counts;
   };
 
@@ -127,6 +128,7 @@ class UnroundedImage {
   [[nodiscard]] const ExactPlace& known_exact(PointId p) const;
   [[nodiscard]] const ExactLine& line(EdgeId e) const;
   [[nodiscard]] const ExactPlace& meeting(const Place& place) const;
+  [[nodiscard]] std::uint64_t first_known_at(const Place& place) const;
 
   const ProjectedScene& scene_;
   const std::size_t edge_count_;
