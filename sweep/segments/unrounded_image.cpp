@@ -9,6 +9,12 @@ namespace {
 
 std::uint64_t key(std::uint32_t a, std::uint32_t b) { return std::uint64_t{a} << 32 | b; }
 
+// Two edges cross once, whichever is named first.
+std::uint64_t key(const UnroundedImage::Place& place) {
+  const auto [first, second] = std::minmax(place.a.value, place.b.value);
+  return key(first, second);
+}
+
 }  // namespace
 
 UnroundedImage::UnroundedImage(const ProjectedScene& scene, const std::vector<SwapEdge>& swap_edges)
@@ -103,7 +109,7 @@ CertifiedPlace UnroundedImage::certified(const Place& place) const {
   const CertifiedPlace filtered = filtered_place(place);
   if (filtered.radius < largest_radius) return filtered;
   const std::lock_guard lock(memory_->lock);
-  const auto [known, is_new] = memory_->crossings.try_emplace(key(place.a.value, place.b.value));
+  const auto [known, is_new] = memory_->crossings.try_emplace(key(place));
   if (is_new) known->second = geometry::certified(meeting(place));
   return known->second;
 }
@@ -156,14 +162,14 @@ const ExactPlace& UnroundedImage::known_exact(PointId p) const {
 }
 
 const ExactPlace& UnroundedImage::meeting(const Place& place) const {
-  const auto [known, is_new] = memory_->meetings.try_emplace(key(place.a.value, place.b.value));
+  const auto [known, is_new] = memory_->meetings.try_emplace(key(place));
   if (is_new) known->second = meeting_place(line(place.a), line(place.b));
   return known->second;
 }
 
 // Crossings that are known to be at one place lead to one of them; what leads there is made shorter on the way.
 std::uint64_t UnroundedImage::first_known_at(const Place& place) const {
-  std::uint64_t at = key(place.a.value, place.b.value);
+  std::uint64_t at = key(place);
   auto next = memory_->same.find(at);
   while (next != memory_->same.end()) {
     const auto after = memory_->same.find(next->second);

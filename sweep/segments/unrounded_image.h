@@ -57,7 +57,8 @@ class UnroundedImage {
 
   // Returns by how much a place is right of an edge, in units of its own, up to a radius.
   [[nodiscard]] Bounded distance_right_of(EdgeId e, const CertifiedPlace& place) const {
-    return is_swap_edge(e) ? sweep::distance_right_of(swap_edge(e), place) : determinant(direction(e), way(top(e), place));
+    return is_swap_edge(e) ? sweep::distance_right_of(swap_edge(e), place)
+                           : determinant(direction(e), way(top(e), place));
   }
 
   // A way is a difference of two places, or the direction of a line, of any length.
