@@ -22,7 +22,7 @@ EdgePoints::EdgePoints(const ProjectedScene& scene, const VisibleSegments& segme
     };
     return key(a) < key(b);
   });
-  EdgeLift lift(scene);
+  EdgeLift lift(points);
   for (std::size_t i = 0; i < found.size(); ++i) {
     if (i > 0 && found[i].edge == found[i - 1].edge && found[i].point == found[i - 1].point) continue;
     points_.push_back({found[i].point, VertexId(vertices.size())});
@@ -85,7 +85,7 @@ bool EdgePoints::before_on_edge(const Candidate& a, const Candidate& b, const Im
 Point3 EdgePoints::position(const Candidate& c, const ProjectedScene& scene, const ImagePoints& points,
                             EdgeLift& lift) const {
   if (c.made != nullptr) return c.made->position;
-  if (scene.is_unrounded()) return lift(c.edge, points.exact(c.point));
+  if (scene.is_unrounded()) return lift(c.edge, c.point);
   const InView& view = in_view(c.edge);
   return lift_on_edge(scene, points, *view.from, *view.to, c.point);
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "geometry/mesh/facet_plane.h"
+#include "geometry/numbers/errors.h"
 
 namespace sightline::inline reconstruct {
 namespace {
@@ -31,27 +32,39 @@ BigInteger determinant(const ExactLine& line, const ExactPlace& place) {
 
 }  // namespace
 
+Point3 EdgeLift::operator()(MeshEdgeId edge, PointId p) {
+  const auto certain = certain_.to_edge(edge, p);
+  return certain ? *certain : exact(edge, p);
+}
+
 // The cross products of the three places are parallel, so one of their components says the numbers.
-Point3 EdgeLift::operator()(MeshEdgeId edge, const ExactPlace& place) {
-  const auto& [from, to] = mesh_.edges[edge.index()];
-  const std::array corners{exact_corners_.of(mesh_, from), exact_corners_.of(mesh_, to)};
+Point3 EdgeLift::exact(MeshEdgeId edge, PointId p) {
+  const ExactPlace place = points_.exact(p);
+  const CutMesh& mesh = points_.scene().mesh();
+  const auto& [from, to] = mesh.edges[edge.index()];
+  const std::array corners{exact_corners_.of(mesh, from), exact_corners_.of(mesh, to)};
   const ExactLine to_second = line_through(place, place_of(corners[1]));
   const ExactLine from_first = line_through(place_of(corners[0]), place);
   for (const auto component : {&ExactLine::a, &ExactLine::b, &ExactLine::c}) {
     if (to_second.*component != 0 || from_first.*component != 0)
       return combined<2>(corners, {to_second.*component, from_first.*component});
   }
-  return mesh_.position(from);
+  throw InternalError("mesh edge " + std::to_string(edge.value) + " is one point in the image");
 }
 
-void PlaneLift::begin(FacetId facet) { facet_ = facet; }
+Point3 PlaneLift::operator()(PointId p) {
+  const auto certain = certain_.to_plane(facet_, p);
+  return certain ? *certain : exact(p);
+}
 
-Point3 PlaneLift::operator()(const ExactPlace& place) {
+Point3 PlaneLift::exact(PointId p) {
   if (of_corners_ != facet_) {
-    std::ranges::transform(plane_corners(mesh_, facet_), corners_.begin(),
-                           [this](VertexId v) { return exact_corners_.of(mesh_, v); });
+    const CutMesh& mesh = points_.scene().mesh();
+    std::ranges::transform(plane_corners(mesh, facet_), corners_.begin(),
+                           [&](VertexId v) { return exact_corners_.of(mesh, v); });
     of_corners_ = facet_;
   }
+  const ExactPlace place = points_.exact(p);
   const std::array places{place_of(corners_[0]), place_of(corners_[1]), place_of(corners_[2])};
   return combined<3>(corners_, {determinant(line_through(places[1], places[2]), place),
                                 determinant(line_through(places[2], places[0]), place),

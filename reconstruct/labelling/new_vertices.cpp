@@ -19,7 +19,7 @@ VertexId SurfaceVertices::vertex_at(PointId p, std::optional<Point3> position) {
 }
 
 Point3 SurfaceVertices::lift(PointId p) {
-  if (scene_.is_unrounded()) return exact_lift_(points_.exact(p));
+  if (scene_.is_unrounded()) return exact_lift_(p);
   for (std::size_t f = surface_.index(); f < end_of_surface(mesh_, surface_).index(); ++f) {
     if (const auto lifted = lift_on_facet(scene_, points_, FacetId(f), p)) return *lifted;
   }

@@ -40,7 +40,7 @@ class SurfaceVertices : public InnerVertices {
  public:
   // New vertices are added to `vertices`.
   SurfaceVertices(const ProjectedScene& scene, const ImagePoints& points, NewVertices& vertices)
-      : mesh_(scene.mesh()), scene_(scene), points_(points), vertices_(vertices), exact_lift_(scene) {}
+      : mesh_(scene.mesh()), scene_(scene), points_(points), vertices_(vertices), exact_lift_(points) {}
 
   void begin(FacetId surface);
   VertexId vertex_at(PointId p, std::optional<Point3> position) override;

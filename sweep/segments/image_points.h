@@ -42,6 +42,8 @@ class ImagePoints final : public EdgeTurns {
   // Returns +1 where p is right of the edge, 0 where it is on it; at a crossing of the edge without arithmetic.
   [[nodiscard]] Sign side(EdgeId e, PointId p) const;
 
+  // Returns null where the point is one of the scene's.
+  [[nodiscard]] const Crossing* crossing(PointId p) const;
   [[nodiscard]] bool sweeps_before(PointId a, PointId b) const { return order_(a, b); }
   [[nodiscard]] const SweepOrder& order() const { return order_; }
   // Null on the grid.
@@ -50,7 +52,6 @@ class ImagePoints final : public EdgeTurns {
   [[nodiscard]] const VisibleSegments& segments() const { return *segments_; }
 
  private:
-  [[nodiscard]] const Crossing* crossing(PointId p) const;
   [[nodiscard]] bool is_named_by(EdgeId e, PointId p) const;
   [[nodiscard]] bool are_on_one_edge(PointId a, PointId b, PointId c) const;
 

@@ -31,7 +31,8 @@ std::optional<Nearness<Bounded>> bounded_nearness(const ProjectedScene& scene, F
   };
   const BoundedVector u = in_camera(position(1) - position(0));
   const BoundedVector v = in_camera(position(2) - position(0));
-  const BoundedVector normal(u.y() * v.z() - u.z() * v.y(), u.z() * v.x() - u.x() * v.z(), u.x() * v.y() - u.y() * v.x());
+  const BoundedVector normal(u.y() * v.z() - u.z() * v.y(), u.z() * v.x() - u.x() * v.z(),
+                             u.x() * v.y() - u.y() * v.x());
   const Bounded at_corner = forms.value(normal, in_camera(position(0) - forms.origin));
   const auto form = nearness_of_plane(scene.camera.projection, normal, at_corner);
   if (!form.k.is_positive() && !form.k.is_negative()) return std::nullopt;

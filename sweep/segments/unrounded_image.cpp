@@ -21,6 +21,7 @@ UnroundedImage::UnroundedImage(const ProjectedScene& scene, const std::vector<Sw
     : scene_(scene),
       edge_count_(scene.edge_count()),
       swap_edges_(swap_edges),
+      space_(scene, swap_edges),
       memory_(std::make_unique<Memory>(scene)) {}
 
 void UnroundedImage::expect_many_questions() {
@@ -108,6 +109,10 @@ CertifiedPlace UnroundedImage::filtered_place(const Place& crossing) const {
 CertifiedPlace UnroundedImage::certified(const Place& place) const {
   const CertifiedPlace filtered = filtered_place(place);
   if (filtered.radius < largest_radius) return filtered;
+  if (const auto seen = space_.crossing(place.a, place.b)) {
+    const CertifiedPlace nearer = space_.place_of(*seen);
+    if (nearer.radius < largest_radius) return nearer;
+  }
   const std::lock_guard lock(memory_->lock);
   const auto [known, is_new] = memory_->crossings.try_emplace(key(place));
   if (is_new) known->second = geometry::certified(meeting(place));

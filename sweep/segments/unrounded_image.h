@@ -21,7 +21,7 @@
 #include <vector>
 
 #include "geometry/numbers/bounded.h"
-#include "sweep/segments/swap_edge.h"
+#include "sweep/segments/seen_in_space.h"
 
 namespace sightline::inline sweep {
 
@@ -89,6 +89,7 @@ class UnroundedImage {
   [[nodiscard]] int compare(const Place& a, const Place& b) const;
 
   [[nodiscard]] const CertifiedPlace& certified(PointId p) const { return scene_.unrounded.places[p.index()]; }
+  // Returns the place with at most the largest radius that a place may have (exact_place.h).
   [[nodiscard]] CertifiedPlace certified(const Place& place) const;
 
   [[nodiscard]] ExactPlace exact(PointId p) const;
@@ -134,6 +135,7 @@ class UnroundedImage {
   const ProjectedScene& scene_;
   const std::size_t edge_count_;
   const std::vector<SwapEdge>& swap_edges_;
+  const SeenInSpace space_;
   std::vector<Way> directions_;  // per edge of the scene, or empty
   const std::unique_ptr<Memory> memory_;
 };

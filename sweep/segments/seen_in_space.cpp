@@ -1,0 +1,92 @@
+#include "sweep/segments/seen_in_space.h"
+
+#include <algorithm>
+
+#include "geometry/mesh/facet_plane.h"
+
+namespace sightline::inline sweep {
+
+SeenInSpace::SeenInSpace(const ProjectedScene& scene, const std::vector<SwapEdge>& swap_edges)
+    : scene_(scene), swap_edges_(swap_edges) {
+  const Camera& camera = scene.camera;
+  eye_ = has_perspective() ? in_words(camera.origin) : cross(in_words(camera.right), in_words(camera.up));
+}
+
+SeenInSpace::Plane SeenInSpace::plane_of(FacetId facet) const {
+  const auto corners = plane_corners(scene_.mesh(), facet);
+  const auto position = [&](std::size_t i) { return in_words(scene_.mesh().position(corners[i])); };
+  const DoubleWordVector first = position(0);
+  const DoubleWordVector to_second = position(1) - first;
+  const DoubleWordVector to_third = position(2) - first;
+  return {cross(to_second, to_third), first, 0};
+}
+
+std::optional<SeenInSpace::Plane> SeenInSpace::plane_through_eye(EdgeId e) const {
+  if (e.index() >= scene_.edge_count()) return plane_of_swap(swap_edges_[e.index() - scene_.edge_count()]);
+  const auto ends = ends_of(e);
+  if (!ends) return std::nullopt;
+  const DoubleWordVector first = in_words((*ends)[0]);
+  const DoubleWordVector along = in_words((*ends)[1]) - first;
+  return Plane{cross(direction_to(first), along), first, 0};
+}
+
+// With F and G the forms of both planes, and their values at the eye, F(P) G(eye) - G(P) F(eye) is zero there and where they
+// meet.
+SeenInSpace::Plane SeenInSpace::plane_of_swap(const SwapEdge& swap) const {
+  const Plane f = plane_of(swap.surfaces[0]);
+  const Plane g = plane_of(swap.surfaces[1]);
+  const DoubleWord f_at_eye = at_eye(f);
+  const DoubleWord g_at_eye = at_eye(g);
+  return {f.normal * g_at_eye - g.normal * f_at_eye, f.corner, -(g.at(f.corner) * f_at_eye)};
+}
+
+DoubleWord SeenInSpace::at_eye(const Plane& plane) const {
+  return has_perspective() ? plane.at(eye_) : dot(plane.normal, eye_);
+}
+
+DoubleWordVector SeenInSpace::direction_to(const DoubleWordVector& p) const {
+  if (has_perspective()) return p - eye_;
+  return eye_;
+}
+
+std::optional<SeenInSpace::Ends> SeenInSpace::ends_of(EdgeId e) const {
+  if (e.index() >= scene_.edge_count()) return std::nullopt;
+  const VertexId top = scene_.unrounded.sources[scene_.edge(e).top.index()].vertex;
+  const VertexId bottom = scene_.unrounded.sources[scene_.edge(e).bottom.index()].vertex;
+  if (!top.valid() || !bottom.valid()) return std::nullopt;
+  return Ends{scene_.mesh().position(top), scene_.mesh().position(bottom)};
+}
+
+std::optional<DoubleWordVector> SeenInSpace::meeting(const Ends& ends, EdgeId e) const {
+  const auto plane = plane_through_eye(e);
+  if (!plane) return std::nullopt;
+  const DoubleWordVector from = in_words(ends[0]);
+  const DoubleWordVector along = in_words(ends[1]) - from;
+  const DoubleWord at_from = plane->at(from);
+  const DoubleWord share = at_from / -dot(plane->normal, along);
+  return DoubleWordVector(from + along * share);
+}
+
+std::optional<DoubleWordVector> SeenInSpace::crossing(EdgeId a, EdgeId b) const {
+  if (const auto ends = ends_of(a)) return meeting(*ends, b);
+  if (const auto ends = ends_of(b)) return meeting(*ends, a);
+  return std::nullopt;
+}
+
+std::optional<DoubleWordVector> SeenInSpace::vertex(PointId p) const {
+  const VertexId vertex = scene_.unrounded.sources[p.index()].vertex;
+  if (!vertex.valid()) return std::nullopt;
+  return in_words(scene_.mesh().position(vertex));
+}
+
+CertifiedPlace SeenInSpace::place_of(const DoubleWordVector& p) const {
+  const Camera& camera = scene_.camera;
+  const DoubleWordVector from_origin = p - in_words(camera.origin);
+  const DoubleWord w = has_perspective() ? dot(in_words(camera.forward), from_origin) : DoubleWord(1);
+  const DoubleWord x = dot(in_words(camera.right), from_origin) / w;
+  const DoubleWord y = dot(in_words(camera.up), from_origin) / w;
+  const auto reach = [](const DoubleWord& of) { return Bounded::widened(std::abs(of.low) + of.radius); };
+  return {x.high, y.high, std::max(reach(x), reach(y))};
+}
+
+}  // namespace sightline::inline sweep
