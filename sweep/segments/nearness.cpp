@@ -46,7 +46,7 @@ const Nearness<BigInteger>& ExactNearness::of(FacetId surface) {
   using Vector = CameraForms<BigInteger>::Vector;
   const auto corners = plane_corners(scene_.mesh(), surface);
   std::array<ExactCorner, 3> p;
-  std::ranges::transform(corners, p.begin(), [&](VertexId v) { return exact_corner(scene_.mesh(), v, scene_.camera); });
+  std::ranges::transform(corners, p.begin(), [&](VertexId v) { return corners_.of(scene_.mesh(), v); });
   const auto place = [&](std::size_t i) { return Vector(p[i].x, p[i].y, p[i].depth); };
   const auto way_to = [&](std::size_t i) { return Vector(place(i) * p[0].one - place(0) * p[i].one); };
   const Vector u = way_to(1);

@@ -28,12 +28,13 @@ struct Nearness {
 // What was asked for is kept. Not for several threads at once.
 class ExactNearness {
  public:
-  explicit ExactNearness(const ProjectedScene& scene) : scene_(scene) {}  // outlives it
+  explicit ExactNearness(const ProjectedScene& scene) : scene_(scene), corners_(scene.camera) {}  // outlives it
 
   [[nodiscard]] const Nearness<BigInteger>& of(FacetId surface);
 
  private:
   const ProjectedScene& scene_;
+  ExactCorners corners_;
   std::unordered_map<std::uint32_t, Nearness<BigInteger>> known_;  // per surface; only looked up
 };
 

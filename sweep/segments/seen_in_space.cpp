@@ -79,12 +79,18 @@ std::optional<DoubleWordVector> SeenInSpace::vertex(PointId p) const {
   return in_words(scene_.mesh().position(vertex));
 }
 
+// The rows of the camera give X and Y, its direction W.
+DoubleWord SeenInSpace::coordinate(const Vector3& row, const DoubleWordVector& p) const {
+  const DoubleWordVector from_origin = p - in_words(scene_.camera.origin);
+  const DoubleWord scaled = dot(in_words(row), from_origin);
+  return has_perspective() ? scaled / dot(in_words(scene_.camera.forward), from_origin) : scaled;
+}
+
+DoubleWord SeenInSpace::height_of(const DoubleWordVector& p) const { return coordinate(scene_.camera.up, p); }
+
 CertifiedPlace SeenInSpace::place_of(const DoubleWordVector& p) const {
-  const Camera& camera = scene_.camera;
-  const DoubleWordVector from_origin = p - in_words(camera.origin);
-  const DoubleWord w = has_perspective() ? dot(in_words(camera.forward), from_origin) : DoubleWord(1);
-  const DoubleWord x = dot(in_words(camera.right), from_origin) / w;
-  const DoubleWord y = dot(in_words(camera.up), from_origin) / w;
+  const DoubleWord x = coordinate(scene_.camera.right, p);
+  const DoubleWord y = height_of(p);
   const auto reach = [](const DoubleWord& of) { return Bounded::widened(std::abs(of.low) + of.radius); };
   return {x.high, y.high, std::max(reach(x), reach(y))};
 }

@@ -47,9 +47,11 @@ class SeenInSpace {
   [[nodiscard]] std::optional<DoubleWordVector> vertex(PointId p) const;
   // Returns the place in the image where a point is seen.
   [[nodiscard]] CertifiedPlace place_of(const DoubleWordVector& p) const;
+  [[nodiscard]] DoubleWord height_of(const DoubleWordVector& p) const;
 
  private:
   [[nodiscard]] bool has_perspective() const { return scene_.camera.projection == Projection::perspective; }
+  [[nodiscard]] DoubleWord coordinate(const Vector3& row, const DoubleWordVector& p) const;
   [[nodiscard]] std::optional<Ends> ends_of(EdgeId e) const;
   [[nodiscard]] Plane plane_of_swap(const SwapEdge& swap) const;
   [[nodiscard]] DoubleWord at_eye(const Plane& plane) const;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "geometry/mesh/facet_plane.h"
 #include "geometry/projection/unrounded_points.h"
 
 namespace sightline::inline sweep {
@@ -127,13 +128,42 @@ int UnroundedImage::compare(const Place& a, PointId p) const {
   return sweep_compare(meeting(a), known_exact(p));
 }
 
+// Returns the order of the crossings of an edge with two others, along it: where that is nearly horizontal, heights say little.
+// Returns 0 where it is open.
+int UnroundedImage::compare_along(EdgeId e, EdgeId with_a, EdgeId with_b) const {
+  const auto way_to = [&](EdgeId other) {
+    if (!is_swap_edge(e)) return is_swap_edge(other) ? share_to_swap(e, other) : share_along(e, other);
+    const CertifiedPlace place = filtered_place({e, other});
+    const Way d = direction(e);
+    return Bounded(d.x, d.radius) * Bounded(place.x, place.radius) +
+           Bounded(d.y, d.radius) * Bounded(place.y, place.radius);
+  };
+  const Bounded apart = way_to(with_b) - way_to(with_a);
+  return apart.is_positive() ? -1 : apart.is_negative() ? 1 : 0;
+}
+
+// Compares heights by double words. Returns 0 where these do not decide.
+int UnroundedImage::compare_in_words(const Place& a, const Place& b) const {
+  const auto seen_at_a = space_.crossing(a.a, a.b);
+  const auto seen_at_b = space_.crossing(b.a, b.b);
+  if (!seen_at_a || !seen_at_b) return 0;
+  const DoubleWord apart = space_.height_of(*seen_at_b) - space_.height_of(*seen_at_a);
+  return !apart.is_not_zero() ? 0 : apart.high > 0 ? 1 : -1;
+}
+
 int UnroundedImage::compare(const Place& a, const Place& b) const {
   const int by_height = compare_heights(height(a.a, a.b), height(b.a, b.b));
   if (by_height != 0) return by_height;
+  for (const auto& [e, with_a] : {std::pair(a.a, a.b), std::pair(a.b, a.a)}) {
+    if (e != b.a && e != b.b) continue;
+    const int along = compare_along(e, with_a, e == b.a ? b.b : b.a);
+    if (along != 0) return along;
+  }
   const std::lock_guard lock(memory_->lock);
   const std::uint64_t first_at_a = first_known_at(a);
   const std::uint64_t first_at_b = first_known_at(b);
   if (first_at_a == first_at_b) return 0;
+  if (const int by_words = compare_in_words(a, b); by_words != 0) return by_words;
   ++memory_->counts.exact_orders;
   const int order = sweep_compare(meeting(a), meeting(b));
   if (order == 0) memory_->same[first_at_a] = first_at_b;
@@ -172,9 +202,27 @@ const ExactPlace& UnroundedImage::meeting(const Place& place) const {
   return known->second;
 }
 
-// Crossings that are known to be at one place lead to one of them; what leads there is made shorter on the way.
+// Returns the key of a mesh edge of one surface and of the other one, which it passes through, where an edge of the image
+// crosses the swap edge of both; nothing where it is an edge of neither.
+std::optional<std::uint64_t> UnroundedImage::passage(EdgeId e, EdgeId swap) const {
+  if (is_swap_edge(e) || !is_swap_edge(swap)) return std::nullopt;
+  const auto& [first, second] = swap_edge(swap).surfaces;
+  for (const EdgeSide& side : scene_.sides_of(e)) {
+    if (!side.mesh_edge.valid()) continue;
+    const FacetId surface = surface_of(scene_.mesh(), side.facet);
+    if (surface == first) return key(side.mesh_edge.value, second.value);
+    if (surface == second) return key(side.mesh_edge.value, first.value);
+  }
+  return std::nullopt;
+}
+
+// Crossings that are known to be at one place lead to one of them; what leads there is made shorter on the way. A mesh edge
+// passes through a surface once, though its image crosses the swap edges of both of its facets there.
 std::uint64_t UnroundedImage::first_known_at(const Place& place) const {
   std::uint64_t at = key(place);
+  for (const auto& [e, swap] : {std::pair(place.a, place.b), std::pair(place.b, place.a)}) {
+    if (const auto through = passage(e, swap)) at = memory_->passages.try_emplace(*through, at).first->second;
+  }
   auto next = memory_->same.find(at);
   while (next != memory_->same.end()) {
     const auto after = memory_->same.find(next->second);

@@ -111,7 +111,8 @@ class UnroundedImage {
     std::unordered_map<std::uint64_t, Sign> sides, turns;
     std::unordered_map<std::uint64_t, CertifiedPlace> crossings;  // two edges are one number
     std::unordered_map<std::uint64_t, ExactPlace> meetings;
-    std::unordered_map<std::uint64_t, std::uint64_t> same;  // per crossing another one at its place
+    std::unordered_map<std::uint64_t, std::uint64_t> same;      // per crossing another one at its place
+    std::unordered_map<std::uint64_t, std::uint64_t> passages;  // per mesh edge and surface a crossing where they meet
     UnroundedCounts counts;
   };
 
@@ -123,6 +124,8 @@ class UnroundedImage {
   [[nodiscard]] static CertifiedPlace place_on_swaps(const SwapEdge& p, const SwapEdge& q);
   [[nodiscard]] Bounded share_to_swap(EdgeId e, EdgeId swap) const;
   [[nodiscard]] CertifiedPlace filtered_place(const Place& crossing) const;
+  [[nodiscard]] int compare_in_words(const Place& a, const Place& b) const;
+  [[nodiscard]] int compare_along(EdgeId e, EdgeId with_a, EdgeId with_b) const;
   [[nodiscard]] Sign exact_side(EdgeId e, PointId p) const;
   [[nodiscard]] Sign exact_turn(EdgeId a, EdgeId b) const;
 
@@ -130,6 +133,7 @@ class UnroundedImage {
   [[nodiscard]] const ExactPlace& known_exact(PointId p) const;
   [[nodiscard]] const ExactLine& line(EdgeId e) const;
   [[nodiscard]] const ExactPlace& meeting(const Place& place) const;
+  [[nodiscard]] std::optional<std::uint64_t> passage(EdgeId e, EdgeId swap) const;
   [[nodiscard]] std::uint64_t first_known_at(const Place& place) const;
 
   const ProjectedScene& scene_;
