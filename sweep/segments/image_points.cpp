@@ -76,6 +76,9 @@ Point2 ImagePoints::in_window(PointId p) const {
     const CertifiedPlace place = certified(p);
     return {place.x, place.y};
   }
+  if (const Crossing* const made = crossing(p); made != nullptr && unrounded_) {
+    if (const auto rounded = unrounded_->rounded({made->a, made->b})) return *rounded;
+  }
   const ExactPlace place = exact(p);
   return {rounded_quotient(place.x, place.w), rounded_quotient(place.y, place.w)};
 }

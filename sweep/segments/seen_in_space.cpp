@@ -95,4 +95,11 @@ CertifiedPlace SeenInSpace::place_of(const DoubleWordVector& p) const {
   return {x.high, y.high, std::max(reach(x), reach(y))};
 }
 
+std::optional<Point2> SeenInSpace::rounded_place_of(const DoubleWordVector& p) const {
+  const auto x = certain_rounding(coordinate(scene_.camera.right, p));
+  const auto y = certain_rounding(height_of(p));
+  if (!x || !y) return std::nullopt;
+  return Point2{*x, *y};
+}
+
 }  // namespace sightline::inline sweep

@@ -48,6 +48,8 @@ class SeenInSpace {
   // Returns the place in the image where a point is seen.
   [[nodiscard]] CertifiedPlace place_of(const DoubleWordVector& p) const;
   [[nodiscard]] DoubleWord height_of(const DoubleWordVector& p) const;
+  // Returns nothing where the bounds leave a bit of the place open.
+  [[nodiscard]] std::optional<Point2> rounded_place_of(const DoubleWordVector& p) const;
 
  private:
   [[nodiscard]] bool has_perspective() const { return scene_.camera.projection == Projection::perspective; }

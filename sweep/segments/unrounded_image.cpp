@@ -35,9 +35,9 @@ UnroundedImage::Way UnroundedImage::computed_direction(EdgeId e) const {
   return way(top(e), certified(edge(e).bottom));
 }
 
-Sign UnroundedImage::side(EdgeId e, const Place& place) const {
+Sign UnroundedImage::side(EdgeId e, const Place& place, const CertifiedPlace& filtered) const {
   if (place.a == e || place.b == e) return 0;
-  if (const auto sign = certain_sign(distance_right_of(e, filtered_place(place)))) return *sign;
+  if (const auto sign = certain_sign(distance_right_of(e, filtered))) return *sign;
   if (const auto sign = certain_sign(distance_right_of(e, certified(place)))) return *sign;
   const std::lock_guard lock(memory_->lock);
   ++memory_->counts.exact_sides;
@@ -118,6 +118,11 @@ CertifiedPlace UnroundedImage::certified(const Place& place) const {
   const auto [known, is_new] = memory_->crossings.try_emplace(key(place));
   if (is_new) known->second = geometry::certified(meeting(place));
   return known->second;
+}
+
+std::optional<Point2> UnroundedImage::rounded(const Place& place) const {
+  const auto seen = space_.crossing(place.a, place.b);
+  return seen ? space_.rounded_place_of(*seen) : std::nullopt;
 }
 
 int UnroundedImage::compare(const Place& a, PointId p) const {

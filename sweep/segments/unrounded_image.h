@@ -53,7 +53,8 @@ class UnroundedImage {
   [[nodiscard]] Sign turn(EdgeId a, EdgeId b) const;
   // Returns +1 where the point is right of the edge, 0 where it is on it.
   [[nodiscard]] Sign side(EdgeId e, PointId p) const;
-  [[nodiscard]] Sign side(EdgeId e, const Place& place) const;
+  [[nodiscard]] Sign side(EdgeId e, const Place& place) const { return side(e, place, filtered_place(place)); }
+  [[nodiscard]] Sign side(EdgeId e, const Place& place, const CertifiedPlace& filtered) const;
 
   // Returns by how much a place is right of an edge, in units of its own, up to a radius.
   [[nodiscard]] Bounded distance_right_of(EdgeId e, const CertifiedPlace& place) const {
@@ -91,6 +92,10 @@ class UnroundedImage {
   [[nodiscard]] const CertifiedPlace& certified(PointId p) const { return scene_.unrounded.places[p.index()]; }
   // Returns the place with at most the largest radius that a place may have (exact_place.h).
   [[nodiscard]] CertifiedPlace certified(const Place& place) const;
+  // Returns the place as the filters know it, whatever its radius is.
+  [[nodiscard]] CertifiedPlace filtered_place(const Place& place) const;
+  // Returns the place with each coordinate rounded once; nothing where the bounds leave that open.
+  [[nodiscard]] std::optional<Point2> rounded(const Place& place) const;
 
   [[nodiscard]] ExactPlace exact(PointId p) const;
   [[nodiscard]] ExactPlace exact(const Place& place) const;
@@ -123,7 +128,6 @@ class UnroundedImage {
   [[nodiscard]] Bounded share_along(EdgeId a, EdgeId b) const;
   [[nodiscard]] static CertifiedPlace place_on_swaps(const SwapEdge& p, const SwapEdge& q);
   [[nodiscard]] Bounded share_to_swap(EdgeId e, EdgeId swap) const;
-  [[nodiscard]] CertifiedPlace filtered_place(const Place& crossing) const;
   [[nodiscard]] int compare_in_words(const Place& a, const Place& b) const;
   [[nodiscard]] int compare_along(EdgeId e, EdgeId with_a, EdgeId with_b) const;
   [[nodiscard]] Sign exact_side(EdgeId e, PointId p) const;

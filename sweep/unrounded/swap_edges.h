@@ -36,7 +36,7 @@ class SwapEdges {
 
   const ProjectedScene& scene_;
   std::vector<SwapEdge> edges_;
-  std::unordered_map<std::uint64_t, EdgeId> known_;  // by both surfaces; only looked up
+  std::unordered_map<std::uint64_t, EdgeId> known_;                               // by both surfaces; only looked up
   std::unordered_map<std::uint32_t, std::optional<Nearness<Bounded>>> nearness_;  // per surface; only looked up
   ExactNearness exact_nearness_;
 };

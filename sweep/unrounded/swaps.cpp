@@ -13,11 +13,14 @@ Swaps::Swaps(const UnroundedDecider& decider, const ProjectedScene& scene, Depth
 void Swaps::begin(const SweepPoint& point) {
   vertex_ = point.vertex;
   if (!vertex_.valid()) crossing_ = {point.crossings.front().a, point.crossings.front().b};
+  near_crossing_.reset();
   direction_ = EdgeId{};
 }
 
 Sign Swaps::side_of_point(EdgeId swap_edge) const {
-  return vertex_.valid() ? decider_.side(swap_edge, vertex_) : decider_.side(swap_edge, crossing_);
+  if (vertex_.valid()) return decider_.side(swap_edge, vertex_);
+  if (!near_crossing_) near_crossing_ = decider_.filtered_place(crossing_);
+  return decider_.side(swap_edge, crossing_, *near_crossing_);
 }
 
 // Where both are equally near at the point, it is decided along the direction, and where they are so all along it, right of

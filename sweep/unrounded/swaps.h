@@ -18,6 +18,7 @@
 // pairs of facets that pass through each other, seen or not, and makes many pieces of them.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <unordered_set>
 #include <vector>
@@ -76,6 +77,7 @@ class Swaps : private LocalOrder {
   // These belong to the current sweep point.
   PointId vertex_;
   UnroundedDecider::Place crossing_;
+  mutable std::optional<CertifiedPlace> near_crossing_;  // as soon as it is asked for
   EdgeId direction_;
   std::vector<BundleId> below_;
 };
