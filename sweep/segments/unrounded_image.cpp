@@ -207,24 +207,43 @@ const ExactPlace& UnroundedImage::meeting(const Place& place) const {
   return known->second;
 }
 
-// Returns the key of a mesh edge of one surface and of the other one, which it passes through, where an edge of the image
-// crosses the swap edge of both; nothing where it is an edge of neither.
+// Returns one of all surfaces that lie in the same plane.
+FacetId UnroundedImage::plane_name(FacetId surface) const {
+  const auto [known, is_new] = memory_->plane_names.try_emplace(surface.value);
+  if (!is_new) return known->second;
+  const Nearness<BigInteger>& form = memory_->nearness.of(surface);
+  const BigInteger divisor = gcd(gcd(form.a, form.b), gcd(form.c, form.k));
+  const std::array<BigInteger, 4> plane{form.a / divisor, form.b / divisor, form.c / divisor, form.k / divisor};
+  return known->second = memory_->surface_in.try_emplace(plane, surface).first->second;
+}
+
+// Returns one of all swap edges that are on the same line since their surfaces lie in the same planes; another edge itself.
+EdgeId UnroundedImage::line_name(EdgeId e) const {
+  if (!is_swap_edge(e)) return e;
+  const auto& [first, second] = swap_edge(e).surfaces;
+  const auto [low, high] = std::minmax(plane_name(first).value, plane_name(second).value);
+  return memory_->edge_between.try_emplace(key(low, high), e).first->second;
+}
+
+// Returns the key of a mesh edge of one surface and of the other one's plane, which it passes through, where an edge of the
+// image crosses the swap edge of both; nothing where it is an edge of neither.
 std::optional<std::uint64_t> UnroundedImage::passage(EdgeId e, EdgeId swap) const {
   if (is_swap_edge(e) || !is_swap_edge(swap)) return std::nullopt;
-  const auto& [first, second] = swap_edge(swap).surfaces;
+  const FacetId first = plane_name(swap_edge(swap).surfaces[0]);
+  const FacetId second = plane_name(swap_edge(swap).surfaces[1]);
   for (const EdgeSide& side : scene_.sides_of(e)) {
     if (!side.mesh_edge.valid()) continue;
-    const FacetId surface = surface_of(scene_.mesh(), side.facet);
-    if (surface == first) return key(side.mesh_edge.value, second.value);
-    if (surface == second) return key(side.mesh_edge.value, first.value);
+    const FacetId plane = plane_name(surface_of(scene_.mesh(), side.facet));
+    if (plane == first) return key(side.mesh_edge.value, second.value);
+    if (plane == second) return key(side.mesh_edge.value, first.value);
   }
   return std::nullopt;
 }
 
 // Crossings that are known to be at one place lead to one of them; what leads there is made shorter on the way. A mesh edge
-// passes through a surface once, though its image crosses the swap edges of both of its facets there.
+// passes through a plane once, though its image crosses the swap edges of both of its facets there.
 std::uint64_t UnroundedImage::first_known_at(const Place& place) const {
-  std::uint64_t at = key(place);
+  std::uint64_t at = key(Place{line_name(place.a), line_name(place.b)});
   for (const auto& [e, swap] : {std::pair(place.a, place.b), std::pair(place.b, place.a)}) {
     if (const auto through = passage(e, swap)) at = memory_->passages.try_emplace(*through, at).first->second;
   }

@@ -14,7 +14,9 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <unordered_map>
@@ -117,7 +119,10 @@ class UnroundedImage {
     std::unordered_map<std::uint64_t, CertifiedPlace> crossings;  // two edges are one number
     std::unordered_map<std::uint64_t, ExactPlace> meetings;
     std::unordered_map<std::uint64_t, std::uint64_t> same;      // per crossing another one at its place
-    std::unordered_map<std::uint64_t, std::uint64_t> passages;  // per mesh edge and surface a crossing where they meet
+    std::unordered_map<std::uint64_t, std::uint64_t> passages;  // per mesh edge and plane a crossing where they meet
+    std::unordered_map<std::uint32_t, FacetId> plane_names;     // per surface
+    std::map<std::array<BigInteger, 4>, FacetId> surface_in;    // per plane, in lowest terms
+    std::unordered_map<std::uint64_t, EdgeId> edge_between;     // per two planes
     UnroundedCounts counts;
   };
 
@@ -137,6 +142,8 @@ class UnroundedImage {
   [[nodiscard]] const ExactPlace& known_exact(PointId p) const;
   [[nodiscard]] const ExactLine& line(EdgeId e) const;
   [[nodiscard]] const ExactPlace& meeting(const Place& place) const;
+  [[nodiscard]] FacetId plane_name(FacetId surface) const;
+  [[nodiscard]] EdgeId line_name(EdgeId e) const;
   [[nodiscard]] std::optional<std::uint64_t> passage(EdgeId e, EdgeId swap) const;
   [[nodiscard]] std::uint64_t first_known_at(const Place& place) const;
 
