@@ -28,11 +28,11 @@ std::optional<Point3> rounded(const DoubleWordVector& point, const std::array<Po
 std::optional<Point3> CertainLift::to_edge(MeshEdgeId edge, PointId p) const {
   const Crossing* const crossing = points_.crossing(p);
   if (crossing == nullptr) return std::nullopt;
-  const auto& [from, to] = mesh_.edges[edge.index()];
-  const SeenInSpace::Ends ends{mesh_.position(from), mesh_.position(to)};
+  const auto ends = space_.ends_of(edge);
+  if (!ends) return std::nullopt;
   for (const EdgeId e : {crossing->a, crossing->b}) {
-    const auto point = space_.meeting(ends, e);
-    const auto lifted = point ? rounded(*point, ends) : std::nullopt;
+    const auto point = space_.meeting(*ends, e);
+    const auto lifted = point ? rounded(*point, *ends) : std::nullopt;
     if (lifted) return lifted;
   }
   return std::nullopt;

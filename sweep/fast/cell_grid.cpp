@@ -1,6 +1,7 @@
 #include "sweep/fast/cell_grid.h"
 
 #include <algorithm>
+#include <bit>
 #include <limits>
 
 namespace sightline::inline sweep {
@@ -37,6 +38,11 @@ void add_between(const ImagePoint& a, const ImagePoint& b, double bottom, double
 }
 
 }  // namespace
+
+int highest_level_for(std::size_t facets) {
+  constexpr std::size_t most_cells_per_facet = 64;
+  return static_cast<int>(std::bit_width(1 + most_cells_per_facet * facets) - 1) / 2;
+}
 
 CellGrid::CellGrid(int grid_bits, int level, int spread)
     : level_(std::clamp(level, 0, grid_bits)),

@@ -18,6 +18,10 @@ namespace sightline::inline sweep {
 
 using CellIndex = std::uint32_t;
 
+// Returns the finest level that pays: a cell takes time though it is empty, so there are not many more of them than facets,
+// however small these are in the image.
+[[nodiscard]] int highest_level_for(std::size_t facets);
+
 // The range has the cells in a rectangle, its ends included.
 struct CellRange {
   std::uint16_t left = 0;

@@ -10,8 +10,8 @@ namespace sightline::inline sweep {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr int cell_level = 8;
-constexpr int tile_level = 5;
+constexpr int highest_cell_level = 8;
+constexpr int levels_of_tile = 3;  // so that it has 8 x 8 cells
 
 // A facet covers cells only where it is some of them wide.
 constexpr unsigned least_width = 4;
@@ -30,8 +30,8 @@ class LargeCovers {
       : scene_(scene),
         sides_(sides),
         depths_(depths),
-        cells_(scene.grid_bits, cell_level, spread_of(scene)),
-        tiles_(scene.grid_bits, tile_level, spread_of(scene)),
+        cells_(scene.grid_bits, cell_level_, spread_of(scene)),
+        tiles_(scene.grid_bits, cell_level_ - levels_of_tile, spread_of(scene)),
         behind_cell_(cells_.cell_count(), infinity),
         behind_tile_(tiles_.cell_count(), infinity) {}
 
@@ -99,7 +99,7 @@ class LargeCovers {
 
   // What lies behind all cells of a tile lies behind the tile.
   void update_tile(unsigned column, unsigned row) {
-    constexpr unsigned across = 1U << (cell_level - tile_level);
+    constexpr unsigned across = 1U << levels_of_tile;
     double behind = -infinity;
     for (unsigned y = row * across; y < (row + 1) * across; ++y) {
       for (unsigned x = column * across; x < (column + 1) * across; ++x) {
@@ -138,6 +138,7 @@ class LargeCovers {
   const ProjectedScene& scene_;
   const CellSides& sides_;
   const std::vector<DepthRange>& depths_;
+  const int cell_level_ = std::clamp(highest_level_for(scene_.status.size()), levels_of_tile, highest_cell_level);
   const CellGrid cells_;
   const CellGrid tiles_;
   std::vector<double> behind_cell_;  // what lies deeper than this is hidden there

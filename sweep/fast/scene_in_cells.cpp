@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <cmath>
 
 #include "geometry/mesh/facet_plane.h"
 #include "geometry/numbers/parallel.h"
@@ -19,9 +18,6 @@ constexpr std::size_t most_samples = 1 << 16;
 // what can be left out.
 constexpr double pairs_of_surface_facet = 6;
 constexpr double pairs_of_lone_facet = 40;
-
-// An empty cell takes time, too: so there are not many more of them than facets, however small these are in the image.
-constexpr double most_cells_per_facet = 64;
 
 double contour_share(const ProjectedScene& scene, const Continuation& continuation) {
   std::atomic<std::size_t> contours = 0;
@@ -56,13 +52,9 @@ int level_for(const ProjectedScene& scene, const Continuation& continuation, con
   const auto pairs = pairs_by_level(scene, hidden);
   const double share = contour_share(scene, continuation);
   const double per_facet = share * pairs_of_lone_facet + (1 - share) * pairs_of_surface_facet;
-  const auto facets = static_cast<double>(std::ranges::count(scene.status, FacetStatus::in_view));
-  const auto has_too_many = [&](int level) {
-    return std::ldexp(1.0, 2 * level) > most_cells_per_facet * facets ||
-           pairs[static_cast<std::size_t>(level)] > per_facet * facets;
-  };
-  int level = highest_level;
-  while (level > 0 && has_too_many(level)) --level;
+  const auto facets = std::ranges::count(scene.status, FacetStatus::in_view);
+  int level = std::min(highest_level, highest_level_for(static_cast<std::size_t>(facets)));
+  while (level > 0 && pairs[static_cast<std::size_t>(level)] > per_facet * static_cast<double>(facets)) --level;
   return level;
 }
 

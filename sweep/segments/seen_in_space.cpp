@@ -51,10 +51,18 @@ DoubleWordVector SeenInSpace::direction_to(const DoubleWordVector& p) const {
 
 std::optional<SeenInSpace::Ends> SeenInSpace::ends_of(EdgeId e) const {
   if (e.index() >= scene_.edge_count()) return std::nullopt;
-  const VertexId top = scene_.unrounded.sources[scene_.edge(e).top.index()].vertex;
-  const VertexId bottom = scene_.unrounded.sources[scene_.edge(e).bottom.index()].vertex;
-  if (!top.valid() || !bottom.valid()) return std::nullopt;
-  return Ends{scene_.mesh().position(top), scene_.mesh().position(bottom)};
+  const auto vertex_at = [this](PointId p) { return scene_.unrounded.sources[p.index()].vertex; };
+  return ends_of(vertex_at(scene_.edge(e).top), vertex_at(scene_.edge(e).bottom));
+}
+
+std::optional<SeenInSpace::Ends> SeenInSpace::ends_of(MeshEdgeId edge) const {
+  const auto& [from, to] = scene_.mesh().edges[edge.index()];
+  return ends_of(from, to);
+}
+
+std::optional<SeenInSpace::Ends> SeenInSpace::ends_of(VertexId a, VertexId b) const {
+  if (!is_of_input(a) || !is_of_input(b)) return std::nullopt;
+  return Ends{scene_.mesh().position(a), scene_.mesh().position(b)};
 }
 
 std::optional<DoubleWordVector> SeenInSpace::meeting(const Ends& ends, EdgeId e) const {
@@ -75,7 +83,7 @@ std::optional<DoubleWordVector> SeenInSpace::crossing(EdgeId a, EdgeId b) const 
 
 std::optional<DoubleWordVector> SeenInSpace::vertex(PointId p) const {
   const VertexId vertex = scene_.unrounded.sources[p.index()].vertex;
-  if (!vertex.valid()) return std::nullopt;
+  if (!is_of_input(vertex)) return std::nullopt;
   return in_words(scene_.mesh().position(vertex));
 }
 

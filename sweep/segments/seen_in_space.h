@@ -2,7 +2,7 @@
 //
 // In:  an unrounded scene, and swap edges, whose ids follow those of the scene's edges; there may be more of them later.
 // Out: of an edge of the image the plane through the eye that it is seen as; of a place a point that is seen there; nothing where
-//      clipping made what it takes.
+//      clipping or cutting made what it takes: a vertex of the input is a double, exactly.
 // Method: a scene's edge has two vertices. The plane of a swap edge is the one of the pencil of two facets' planes that has the
 //      eye. Such a plane meets a line in space where its forms at two points of it say.
 // Complexity: O(1).
@@ -40,6 +40,7 @@ class SeenInSpace {
   // Returns the direction in which the eye sees a point.
   [[nodiscard]] DoubleWordVector direction_to(const DoubleWordVector& p) const;
 
+  [[nodiscard]] std::optional<Ends> ends_of(MeshEdgeId edge) const;
   // Returns where the line through both ends is seen to meet an edge of the image.
   [[nodiscard]] std::optional<DoubleWordVector> meeting(const Ends& ends, EdgeId e) const;
   // Returns a point of one edge that is seen on the other.
@@ -54,7 +55,11 @@ class SeenInSpace {
  private:
   [[nodiscard]] bool has_perspective() const { return scene_.camera.projection == Projection::perspective; }
   [[nodiscard]] DoubleWord coordinate(const Vector3& row, const DoubleWordVector& p) const;
+  [[nodiscard]] std::optional<Ends> ends_of(VertexId a, VertexId b) const;
   [[nodiscard]] std::optional<Ends> ends_of(EdgeId e) const;
+  [[nodiscard]] bool is_of_input(VertexId v) const {
+    return v.valid() && v.index() < scene_.mesh().input_vertex_count();
+  }
   [[nodiscard]] Plane plane_of_swap(const SwapEdge& swap) const;
   [[nodiscard]] DoubleWord at_eye(const Plane& plane) const;
 
