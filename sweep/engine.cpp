@@ -57,14 +57,16 @@ class BandObservers {
   std::size_t done_ = 0;
 };
 
+VisibleSegments swept(const ProjectedScene& scene, std::span<const DepthRange> depths, SweepObserver* observer) {
+  return scene.is_unrounded() ? unrounded_sweep(scene, depths, observer) : plain_sweep(scene, depths, observer);
+}
+
 VisibleSegments swept_band(const SceneInCells& in, std::span<const FacetId> facets, BandObservers& observers) {
   const ScenePart part = part_of(in.scene, in.continuation, facets);
   observers.expect(part.point.size());
   BandObservers::Band observer(observers, part);
   SweepObserver* const watched = observers.is_watched() ? &observer : nullptr;
-  return in_whole(in.scene, part,
-                  part.scene.is_unrounded() ? unrounded_sweep(part.scene, in.depths, watched)
-                                            : plain_sweep(part.scene, in.depths, watched));
+  return in_whole(in.scene, part, swept(part.scene, in.depths, watched));
 }
 
 std::vector<VisibleSegments> swept_bands(const SceneInCells& in, const Bands& bands, SweepObserver* observer) {
@@ -76,7 +78,7 @@ std::vector<VisibleSegments> swept_bands(const SceneInCells& in, const Bands& ba
 }
 
 VisibleSegments sweep_everything(const ProjectedScene& scene, SweepObserver* observer) {
-  return scene.is_unrounded() ? unrounded_sweep(scene, depth_ranges(scene), observer) : plain_sweep(scene, observer);
+  return swept(scene, is_exact(scene.arithmetic) ? depth_ranges(scene) : std::vector<DepthRange>{}, observer);
 }
 
 }  // namespace

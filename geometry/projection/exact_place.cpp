@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/numbers/bounded.h"
-
 namespace sightline::inline geometry {
+
+ImagePoint near_grid_point(const CertifiedPlace& place, int grid_bits) {
+  return {std::llround(std::ldexp(place.x, grid_bits)), std::llround(std::ldexp(place.y, grid_bits))};
+}
 
 ExactPlace place_of(const ExactCorner& corner) { return {corner.x, corner.y, corner.w}; }
 

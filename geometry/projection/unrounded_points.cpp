@@ -62,13 +62,9 @@ class PointNumbering {
     scene_.unrounded.made = std::make_shared<const std::vector<ExactPlace>>(std::move(made));
   }
 
-  // Heights further apart than both radii are in that order; the difference rounds once.
   [[nodiscard]] int compare(const Found& a, const Found& b) {
-    const CertifiedPlace& p = a.certified;
-    const CertifiedPlace& q = b.certified;
-    const double apart = q.y - p.y;
-    if (std::fabs(apart) > Bounded::widened(p.radius + q.radius + 0x1p-52 * std::fabs(apart)))
-      return apart > 0 ? 1 : -1;
+    if (const int by_height = compare_heights(height_of(a.certified), height_of(b.certified)); by_height != 0)
+      return by_height;
     if (a.source == b.source) return 0;
     const std::lock_guard lock(lock_);
     return sweep_compare(exact(a.source), exact(b.source));
@@ -100,8 +96,7 @@ class PointNumbering {
   }
 
   void add_point(const Found& found) {
-    const auto on_grid = [this](double value) { return std::llround(std::ldexp(value, scene_.grid_bits)); };
-    scene_.points.push_back({on_grid(found.certified.x), on_grid(found.certified.y)});
+    scene_.points.push_back(near_grid_point(found.certified, scene_.grid_bits));
     scene_.unrounded.places.push_back(found.certified);
     scene_.unrounded.sources.push_back(found.source);
   }

@@ -56,13 +56,11 @@ Messages check_arrays(const ProjectedScene& scene) {
   return messages;
 }
 
-// Returns whether b is swept after a. Heights further apart than both radii decide; the difference rounds once.
+// Returns whether b is swept after a.
 bool follows(const ProjectedScene& scene, PointId a, PointId b) {
   if (!scene.is_unrounded()) return sweeps_before(scene.point(a), scene.point(b));
-  const CertifiedPlace& p = scene.unrounded.places[a.index()];
-  const CertifiedPlace& q = scene.unrounded.places[b.index()];
-  if (p.y - q.y > 2 * (p.radius + q.radius)) return true;
-  return sweep_compare(exact_place(scene, a), exact_place(scene, b)) < 0;
+  const auto height = [&](PointId p) { return height_of(scene.unrounded.places[p.index()]); };
+  return compare_heights(height(a), height(b)) < 0 || sweep_compare(exact_place(scene, a), exact_place(scene, b)) < 0;
 }
 
 void check_points(const ProjectedScene& scene, Messages& messages) {

@@ -55,10 +55,6 @@ std::optional<ProjectedVertex> certain_outcode(const Camera& camera, const Camer
   return result;
 }
 
-ImagePoint near_grid_point(const CertifiedPlace& place, int grid_bits) {
-  return {std::llround(std::ldexp(place.x, grid_bits)), std::llround(std::ldexp(place.y, grid_bits))};
-}
-
 ProjectedVertex projected(const ExactCorner& corner, const Camera& camera, int grid_bits) {
   ProjectedVertex result;
   const std::vector<BigInteger> wecs = window_edge_coordinates(camera, corner);

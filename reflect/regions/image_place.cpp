@@ -124,7 +124,7 @@ ImagePlace crossing_place(const ImageLine& a, const ImageLine& b) {
 int sweep_compare(const ImagePlace& a, const ImagePlace& b) {
   if (is_on_grid_lines(a) && is_on_grid_lines(b)) return sweep_compare(a.at, b.at);
   if (a.image != nullptr && a.image == b.image && a.point == b.point) return 0;
-  const int by_height = UnroundedImage::compare_heights(Bounded(a.at.y, a.radius), Bounded(b.at.y, b.radius));
+  const int by_height = compare_heights(Bounded(a.at.y, a.radius), Bounded(b.at.y, b.radius));
   if (by_height != 0) return by_height;
   const int bits = bits_of(image_of(a, b));
   return sweep_compare(exact(a, bits), exact(b, bits));

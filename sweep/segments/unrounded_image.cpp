@@ -69,8 +69,7 @@ Bounded UnroundedImage::height(EdgeId a, EdgeId b) const {
     const Way d = direction(a);
     return Bounded(top(a).y, top(a).radius) + share_along(a, b) * Bounded(d.y, d.radius);
   }
-  const CertifiedPlace place = filtered_place({a, b});
-  return {place.y, place.radius};
+  return height_of(filtered_place({a, b}));
 }
 
 // The crossing is at a's top + s d with s = ((b's top - a's top) x e) / (d x e), d and e being the edges' ways. Nothing is

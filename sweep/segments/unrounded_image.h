@@ -79,13 +79,7 @@ class UnroundedImage {
 
   // Returns the y of a place with its radius.
   [[nodiscard]] Bounded height(EdgeId a, EdgeId b) const;
-  [[nodiscard]] Bounded height(PointId p) const { return {certified(p).y, certified(p).radius}; }
-  // Returns 0 where the heights do not decide.
-  [[nodiscard]] static int compare_heights(const Bounded& a, const Bounded& b) {
-    const double apart = b.value - a.value;
-    const double reach = Bounded::widened(a.radius + b.radius + unit_roundoff * std::fabs(apart));
-    return apart > reach ? 1 : apart < -reach ? -1 : 0;
-  }
+  [[nodiscard]] Bounded height(PointId p) const { return height_of(certified(p)); }
 
   // These compare in sweep order: -1 where the first comes first, 0 where they are one place.
   [[nodiscard]] int compare(const Place& a, PointId p) const;

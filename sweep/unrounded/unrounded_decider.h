@@ -49,9 +49,7 @@ class UnroundedDecider {
   [[nodiscard]] static Place place(EdgeId a, EdgeId b) { return {a, b}; }
   [[nodiscard]] Height height(EdgeId a, EdgeId b) const { return image_.height(a, b); }
   [[nodiscard]] Height height(PointId p) const { return image_.height(p); }
-  [[nodiscard]] static int compare_heights(const Height& a, const Height& b) {
-    return UnroundedImage::compare_heights(a, b);
-  }
+  [[nodiscard]] static int compare_heights(const Height& a, const Height& b) { return geometry::compare_heights(a, b); }
   [[nodiscard]] int compare(const Place& a, PointId p) const { return image_.compare(a, p); }
   [[nodiscard]] int compare(const Place& a, const Place& b) const { return image_.compare(a, b); }
   [[nodiscard]] static bool is_number(const Place& /*place*/) { return true; }

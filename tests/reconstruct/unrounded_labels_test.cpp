@@ -65,12 +65,9 @@ TEST_CASE("without rounding the labelled surfaces of soups on a few points confo
 }
 
 TEST_CASE("without rounding, labelled surfaces of scenes that are nearly degenerate are valid") {
-  const std::filesystem::path folder = models_folder().parent_path() / "near-degenerate";
-  if (!std::filesystem::is_directory(folder)) return;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    if (!entry.is_directory()) continue;
-    CAPTURE(entry.path().filename().string());
-    const cli::SceneDescription scene = cli::read_scene_file((entry.path() / "s.toml").string());
+  for (const std::filesystem::path& file : near_degenerate_scenes()) {
+    CAPTURE(file.string());
+    const cli::SceneDescription scene = cli::read_scene_file(file.string());
     for (const Camera& camera : scene.cameras) {
       const View view = unrounded(read_obj(scene.mesh_file).mesh, camera, Sides::both);
       check_valid(view);

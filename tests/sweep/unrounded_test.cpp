@@ -173,12 +173,9 @@ TEST_CASE("without rounding, facets that change places beside the camera only ha
 
 // These scenes lose or gain whole faces where places are rounded.
 TEST_CASE("without rounding, faces that are nearly degenerate show their true areas") {
-  const std::filesystem::path folder = models_folder().parent_path() / "near-degenerate";
-  if (!std::filesystem::is_directory(folder)) return;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    if (!entry.is_directory()) continue;
-    CAPTURE(entry.path().filename().string());
-    const cli::SceneDescription scene = cli::read_scene_file((entry.path() / "s.toml").string());
+  for (const std::filesystem::path& file : near_degenerate_scenes()) {
+    CAPTURE(file.string());
+    const cli::SceneDescription scene = cli::read_scene_file(file.string());
     const Mesh mesh = read_obj(scene.mesh_file).mesh;
     for (const Camera& camera : scene.cameras) {
       const UnroundedAreas seen = unrounded_areas(mesh, camera, Sides::both);

@@ -40,6 +40,17 @@ std::vector<fs::path> models() {
   return result;
 }
 
+std::vector<fs::path> near_degenerate_scenes() {
+  std::vector<fs::path> result;
+  const fs::path folder = models_folder().parent_path() / "near-degenerate";
+  if (!fs::is_directory(folder)) return result;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (entry.is_directory()) result.push_back(entry.path() / "s.toml");
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
 std::vector<Shot> shots(const Mesh& mesh) {
   const Box box = box_of(mesh);
   const Point3 centre = 0.5 * (box.low + box.high);

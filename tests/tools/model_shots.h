@@ -15,6 +15,9 @@ namespace sightline::tests {
 // The models are in the order of their names; there are none where there is no such folder.
 [[nodiscard]] std::vector<std::filesystem::path> models();
 
+// Scene files of faces that are nearly degenerate: none where there is no such folder.
+[[nodiscard]] std::vector<std::filesystem::path> near_degenerate_scenes();
+
 struct Shot {
   Camera camera;
   Sides sides = Sides::both;
