@@ -3,7 +3,6 @@
 
 #include <doctest/doctest.h>
 
-#include "geometry/cutting/common_lines.h"
 #include "geometry/mesh/facet_plane.h"
 #include "oracle/judging/judge.h"
 #include "oracle/scenes/crossing_scenes.h"
@@ -55,7 +54,7 @@ TEST_CASE("lifts with bounds have the bits of those in integers") {
       CAPTURE(static_cast<int>(how));
       const Mesh mesh = moved(random, how);
       // What cutting made is no double.
-      const CutMesh cut_or_not = seed % 4 == 0 ? cut(mesh) : CutMesh{mesh, {}};
+      const CutMesh cut_or_not = seed % 4 == 0 ? lattice::cut(mesh) : uncrossed(mesh);
       const ProjectedScene scene = project(cut_or_not, random.camera, random.sides, {Arithmetic::unrounded});
       const VisibleSegments segments = find_visible_segments(scene);
       const ImagePoints points(scene, segments);
