@@ -21,11 +21,19 @@ bool DepthOrder::is_turned(UncutFacetId u) const { return facing_[mesh_.first_pi
 
 DepthRelation DepthOrder::relation(FacetId f, FacetId g) {
   ++comparisons_;
-  if (!ranges_.empty() && ranges_[f.index()].farthest < ranges_[g.index()].nearest) return {true, false};
-  if (!ranges_.empty() && ranges_[g.index()].farthest < ranges_[f.index()].nearest) return {false, false};
+  if (are_apart(f, g)) return {true, false};
+  if (are_apart(g, f)) return {false, false};
   if (f < g) return relation_of_lower(f, g);
   const DepthRelation turned = relation_of_lower(g, f);
   return {!turned.nearer, turned.passes_through};
+}
+
+bool DepthOrder::pass_through(FacetId f, FacetId g) {
+  ++comparisons_;
+  if (are_apart(f, g) || are_apart(g, f)) return false;
+  const auto [of_f, of_g] = std::minmax({mesh_.uncut_facet(f), mesh_.uncut_facet(g)});
+  if (of_f == of_g || (mesh_.is_cut() && pieces_.applies_to(of_f, of_g))) return false;
+  return known_relation(of_f, of_g).passes_through;
 }
 
 // Precondition: f has the lower facet index, and with it the lower or the same face index.

@@ -57,6 +57,8 @@ class DepthOrder {
 
   [[nodiscard]] DepthRelation relation(FacetId f, FacetId g);
   [[nodiscard]] bool nearer(FacetId f, FacetId g) { return relation(f, g).nearer; }
+  // Returns whether they change places somewhere, be it out of view. Precondition: there is a local order.
+  [[nodiscard]] bool pass_through(FacetId f, FacetId g);
 
   // The range is unbounded where no ranges are known.
   [[nodiscard]] DepthRange range(FacetId f) const {
@@ -79,6 +81,9 @@ class DepthOrder {
   };
 
   [[nodiscard]] bool is_turned(UncutFacetId u) const;
+  [[nodiscard]] bool are_apart(FacetId near, FacetId far) const {
+    return !ranges_.empty() && ranges_[near.index()].farthest < ranges_[far.index()].nearest;
+  }
   [[nodiscard]] DepthRelation relation_of_lower(FacetId f, FacetId g);
   [[nodiscard]] DepthRelation relation_of_uncut(UncutFacetId f, UncutFacetId g);
   [[nodiscard]] DepthRelation known_relation(UncutFacetId f, UncutFacetId g);

@@ -41,8 +41,9 @@ void Swaps::for_each_partner(const NodeList& list, Visit visit) {
   const FacetId topmost = list.topmost();
   for (const Node& node : list.nodes()) {
     if (depth_.range(node.facet).nearest > depth_.range(topmost).farthest) break;
-    if (node.facet != topmost && depth_.relation(topmost, node.facet).passes_through)
-      visit(node.facet, decider_.swap_edge(topmost, node.facet));
+    if (node.facet == topmost || !depth_.pass_through(topmost, node.facet)) continue;
+    const EdgeId edge = decider_.swap_edge(topmost, node.facet);
+    if (decider_.is_seen(edge)) visit(node.facet, edge);
   }
 }
 
@@ -101,9 +102,10 @@ void Swaps::name_swaps_along_edges(const NodeList& left, std::span<const BundleI
     const FacetId after = active_[b].right.topmost();
     const EdgeId front = active_[b].edges.front();
     if (before.valid() && after.valid() && before != after && !decider_.is_swap_edge(front) &&
-        depth_.relation(before, after).passes_through) {
+        depth_.pass_through(before, after)) {
       const EdgeId edge = decider_.swap_edge(before, after);
-      if (side_of_point(edge) == 0 && decider_.turn(front, edge) == 0) active_.add_edge(b, edge);
+      if (decider_.is_seen(edge) && side_of_point(edge) == 0 && decider_.turn(front, edge) == 0)
+        active_.add_edge(b, edge);
     }
     before = after;
   }
