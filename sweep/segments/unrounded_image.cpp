@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "geometry/mesh/facet_plane.h"
 #include "geometry/projection/unrounded_points.h"
 
 namespace sightline::inline sweep {
@@ -23,7 +22,7 @@ UnroundedImage::UnroundedImage(const ProjectedScene& scene, const std::vector<Sw
       edge_count_(scene.edge_count()),
       swap_edges_(swap_edges),
       space_(scene, swap_edges),
-      memory_(std::make_unique<Memory>(scene)) {}
+      memory_(std::make_unique<Memory>(scene, swap_edges)) {}
 
 void UnroundedImage::expect_many_questions() {
   directions_.reserve(edge_count_);
@@ -164,13 +163,13 @@ int UnroundedImage::compare(const Place& a, const Place& b) const {
     if (along != 0) return along;
   }
   const std::lock_guard lock(memory_->lock);
-  const std::uint64_t first_at_a = first_known_at(a);
-  const std::uint64_t first_at_b = first_known_at(b);
-  if (first_at_a == first_at_b) return 0;
+  const CrossingNames::Name of_a = memory_->names.of(a.a, a.b);
+  const CrossingNames::Name of_b = memory_->names.of(b.a, b.b);
+  if (of_a == of_b) return 0;
   if (const int by_words = compare_in_words(a, b); by_words != 0) return by_words;
   ++memory_->counts.exact_orders;
   const int order = sweep_compare(meeting(a), meeting(b));
-  if (order == 0) memory_->same[first_at_a] = first_at_b;
+  if (order == 0) memory_->names.unite(of_a, of_b);
   return order;
 }
 
@@ -204,56 +203,6 @@ const ExactPlace& UnroundedImage::meeting(const Place& place) const {
   const auto [known, is_new] = memory_->meetings.try_emplace(key(place));
   if (is_new) known->second = meeting_place(line(place.a), line(place.b));
   return known->second;
-}
-
-// Returns one of all surfaces that lie in the same plane.
-FacetId UnroundedImage::plane_name(FacetId surface) const {
-  const auto [known, is_new] = memory_->plane_names.try_emplace(surface.value);
-  if (!is_new) return known->second;
-  const Nearness<BigInteger>& form = memory_->nearness.of(surface);
-  const BigInteger divisor = gcd(gcd(form.a, form.b), gcd(form.c, form.k));
-  const std::array<BigInteger, 4> plane{form.a / divisor, form.b / divisor, form.c / divisor, form.k / divisor};
-  return known->second = memory_->surface_in.try_emplace(plane, surface).first->second;
-}
-
-// Returns one of all swap edges that are on the same line since their surfaces lie in the same planes; another edge itself.
-EdgeId UnroundedImage::line_name(EdgeId e) const {
-  if (!is_swap_edge(e)) return e;
-  const auto& [first, second] = swap_edge(e).surfaces;
-  const auto [low, high] = std::minmax(plane_name(first).value, plane_name(second).value);
-  return memory_->edge_between.try_emplace(key(low, high), e).first->second;
-}
-
-// Returns the key of a mesh edge of one surface and of the other one's plane, which it passes through, where an edge of the
-// image crosses the swap edge of both; nothing where it is an edge of neither.
-std::optional<std::uint64_t> UnroundedImage::passage(EdgeId e, EdgeId swap) const {
-  if (is_swap_edge(e) || !is_swap_edge(swap)) return std::nullopt;
-  const FacetId first = plane_name(swap_edge(swap).surfaces[0]);
-  const FacetId second = plane_name(swap_edge(swap).surfaces[1]);
-  for (const EdgeSide& side : scene_.sides_of(e)) {
-    if (!side.mesh_edge.valid()) continue;
-    const FacetId plane = plane_name(surface_of(scene_.mesh(), side.facet));
-    if (plane == first) return key(side.mesh_edge.value, second.value);
-    if (plane == second) return key(side.mesh_edge.value, first.value);
-  }
-  return std::nullopt;
-}
-
-// Crossings that are known to be at one place lead to one of them; what leads there is made shorter on the way. A mesh edge
-// passes through a plane once, though its image crosses the swap edges of both of its facets there.
-std::uint64_t UnroundedImage::first_known_at(const Place& place) const {
-  std::uint64_t at = key(Place{line_name(place.a), line_name(place.b)});
-  for (const auto& [e, swap] : {std::pair(place.a, place.b), std::pair(place.b, place.a)}) {
-    if (const auto through = passage(e, swap)) at = memory_->passages.try_emplace(*through, at).first->second;
-  }
-  auto next = memory_->same.find(at);
-  while (next != memory_->same.end()) {
-    const auto after = memory_->same.find(next->second);
-    if (after == memory_->same.end()) return next->second;
-    at = next->second = after->second;
-    next = memory_->same.find(at);
-  }
-  return at;
 }
 
 const ExactLine& UnroundedImage::line(EdgeId e) const {

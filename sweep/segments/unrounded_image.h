@@ -2,10 +2,11 @@
 //
 // In:  an unrounded scene, and swap edges, whose ids follow those of the scene's edges; there may be more of them later.
 // Out: signs and orders, exact; places with the radius by which they may be off.
-// Method: a filter in double, with the proven radius of each place, decides nearly all. Behind it stand integers of any size:
-//      a vertex is (x, y, w), the line of an edge the cross product of its ends, a crossing the cross product of two lines. A
-//      point that ends an edge is on it by its number, without arithmetic; sides and turns that integers decided are
-//      remembered, but for sides of crossings.
+// Method: a filter in double, with the proven radius of each place, decides nearly all. Where bits are missing, double words
+//      have them (seen_in_space.h); zeros that names say take no arithmetic (crossing_names.h; a point that ends an edge is on it
+//      by its number). Behind them stand integers of any size: a vertex is (x, y, w), the line of an edge the cross product of its
+//      ends, a crossing the cross product of two lines. Sides and turns that they decided are remembered, but for sides of
+//      crossings.
 // Derivation of the filters, with u = 2^-53. A difference of two places is off by the sum r of their radii, and rounds: by u
 // of itself. Let d and e be two such ways with radii r and s in each coordinate. Their determinant d.x e.y - d.y e.x is off
 // by at most r |e| + s |d| + 2 r s, where |.| adds up both coordinates, and by its own three roundings: less than
@@ -14,15 +15,14 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <map>
 #include <memory>
 #include <mutex>
 #include <unordered_map>
 #include <vector>
 
 #include "geometry/numbers/bounded.h"
+#include "sweep/segments/crossing_names.h"
 #include "sweep/segments/seen_in_space.h"
 
 namespace sightline::inline sweep {
@@ -102,21 +102,18 @@ class UnroundedImage {
  private:
   // What integers found out, kept behind a lock. No result depends on its order: it is only looked up.
   struct Memory {
-    explicit Memory(const ProjectedScene& scene) : corners(scene.camera), nearness(scene) {}
+    Memory(const ProjectedScene& scene, const std::vector<SwapEdge>& swap_edges)
+        : corners(scene.camera), nearness(scene), names(scene, swap_edges, nearness) {}
 
     std::mutex lock;
     ExactCorners corners;
     ExactNearness nearness;
+    CrossingNames names;
     std::unordered_map<std::uint32_t, ExactPlace> places;  // per point
     std::unordered_map<std::uint32_t, ExactLine> lines;    // per edge
     std::unordered_map<std::uint64_t, Sign> sides, turns;
     std::unordered_map<std::uint64_t, CertifiedPlace> crossings;  // two edges are one number
     std::unordered_map<std::uint64_t, ExactPlace> meetings;
-    std::unordered_map<std::uint64_t, std::uint64_t> same;      // per crossing another one at its place
-    std::unordered_map<std::uint64_t, std::uint64_t> passages;  // per mesh edge and plane a crossing where they meet
-    std::unordered_map<std::uint32_t, FacetId> plane_names;     // per surface
-    std::map<std::array<BigInteger, 4>, FacetId> surface_in;    // per plane, in lowest terms
-    std::unordered_map<std::uint64_t, EdgeId> edge_between;     // per two planes
     UnroundedCounts counts;
   };
 
@@ -136,10 +133,6 @@ class UnroundedImage {
   [[nodiscard]] const ExactPlace& known_exact(PointId p) const;
   [[nodiscard]] const ExactLine& line(EdgeId e) const;
   [[nodiscard]] const ExactPlace& meeting(const Place& place) const;
-  [[nodiscard]] FacetId plane_name(FacetId surface) const;
-  [[nodiscard]] EdgeId line_name(EdgeId e) const;
-  [[nodiscard]] std::optional<std::uint64_t> passage(EdgeId e, EdgeId swap) const;
-  [[nodiscard]] std::uint64_t first_known_at(const Place& place) const;
 
   const ProjectedScene& scene_;
   const std::size_t edge_count_;
