@@ -89,7 +89,7 @@ class UnroundedImage {
   // Returns the place with at most the largest radius that a place may have (exact_place.h).
   [[nodiscard]] CertifiedPlace certified(const Place& place) const;
   // Returns the place as the filters know it, whatever its radius is.
-  [[nodiscard]] CertifiedPlace filtered_place(const Place& place) const;
+  [[nodiscard]] CertifiedPlace filtered_place(const Place& crossing) const;
   // Returns the place with each coordinate rounded once; nothing where the bounds leave that open.
   [[nodiscard]] std::optional<Point2> rounded(const Place& place) const;
 

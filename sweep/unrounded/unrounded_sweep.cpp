@@ -28,7 +28,7 @@ void arrange_swap_edges(std::vector<SwapEdge> found, std::size_t scene_edges, Vi
   std::vector<EdgeId> name(found.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
     name[order[i]] = EdgeId(scene_edges + i);
-    segments.swap_edges.push_back(std::move(found[order[i]]));
+    segments.swap_edges.push_back(found[order[i]]);
   }
   const auto rename = [&](EdgeId& e) {
     if (e.index() >= scene_edges) e = name[e.index() - scene_edges];
