@@ -8,14 +8,14 @@ namespace sightline::inline reconstruct {
 namespace {
 
 // Returns the point with each coordinate rounded. Where all of the corners have a coordinate in common, it is the point's, too:
-// no bound would prove a zero.
+// no bound would prove a zero. A zero has no sign, as in integers.
 template <std::size_t N>
 std::optional<Point3> rounded(const DoubleWordVector& point, const std::array<Point3, N>& corners) {
   Point3 result;
   for (Eigen::Index i = 0; i < 3; ++i) {
     const double first = corners.front()[i];
     const bool is_common = std::ranges::all_of(corners, [&](const Point3& corner) { return corner[i] == first; });
-    const std::optional<double> coordinate = is_common ? first : certain_rounding(point[i]);
+    const std::optional<double> coordinate = is_common ? 0.0 + first : certain_rounding(point[i]);
     if (!coordinate) return std::nullopt;
     result[i] = *coordinate;
   }
@@ -24,7 +24,7 @@ std::optional<Point3> rounded(const DoubleWordVector& point, const std::array<Po
 
 }  // namespace
 
-// An edge whose own image the crossing names says nothing of where on it that is.
+// Of the two edges that cross, the one that is the image of this edge does not say where on it that is.
 std::optional<Point3> CertainLift::to_edge(MeshEdgeId edge, PointId p) const {
   const Crossing* const crossing = points_.crossing(p);
   if (crossing == nullptr) return std::nullopt;

@@ -3,9 +3,10 @@
 // In:  a point of the image; an edge of the mesh, or a facet, on which it lies.
 // Out: the point of the edge (of the facet's plane) that is seen there, in input coordinates: each coordinate is the double
 //      nearest to the true one. So the same point lifted along different edges and planes has the same bits.
-// Method: numbers with bounds, where they decide all bits (certain_lift.h). Else a place (x, y, w) is a sum of those of the corners, each times a number m; these are determinants of three places.
-//      With a corner's position (px, py, pz) over its factor `one`, as its place is, the point is the sum of the positions
-//      times m over the sum of the factors times m (clipping.h).
+// Method: numbers with bounds, where they decide all bits (certain_lift.h). Else integers: a place (x, y, w) is a sum of those of
+//      the corners, each times a number m; these are determinants of three places. With a corner's position (px, py, pz) over
+//      its factor `one`, as its place is, the point is the sum of the positions times m over the sum of the factors times m
+//      (clipping.h).
 // Complexity: O(1), in integers of any size.
 // Source: Koucky 2014, 3.8 and figure 3.8, with the ray and the plane as determinants.
 #pragma once

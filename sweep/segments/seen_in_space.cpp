@@ -1,7 +1,5 @@
 #include "sweep/segments/seen_in_space.h"
 
-#include <algorithm>
-
 #include "geometry/mesh/facet_plane.h"
 
 namespace sightline::inline sweep {
@@ -96,11 +94,12 @@ DoubleWord SeenInSpace::coordinate(const Vector3& row, const DoubleWordVector& p
 
 DoubleWord SeenInSpace::height_of(const DoubleWordVector& p) const { return coordinate(scene_.camera.up, p); }
 
+// One radius for both, that is no number as soon as one of them is none.
 CertifiedPlace SeenInSpace::place_of(const DoubleWordVector& p) const {
   const DoubleWord x = coordinate(scene_.camera.right, p);
   const DoubleWord y = height_of(p);
   const auto reach = [](const DoubleWord& of) { return Bounded::widened(std::abs(of.low) + of.radius); };
-  return {x.high, y.high, std::max(reach(x), reach(y))};
+  return {x.high, y.high, reach(x) + reach(y)};
 }
 
 std::optional<Point2> SeenInSpace::rounded_place_of(const DoubleWordVector& p) const {
