@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/numbers/bounded.h"
+
 namespace sightline::inline geometry {
 
 ImagePoint near_grid_point(const CertifiedPlace& place, int grid_bits) {

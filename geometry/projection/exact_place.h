@@ -3,7 +3,6 @@
 
 #include <optional>
 
-#include "geometry/numbers/bounded.h"
 #include "geometry/numbers/exact_integer.h"
 #include "geometry/numbers/image_point.h"
 #include "geometry/projection/clipping.h"
@@ -23,15 +22,6 @@ constexpr double largest_radius = 0x1p-46;
 
 // Returns the grid point that a place is near, within a spacing.
 [[nodiscard]] ImagePoint near_grid_point(const CertifiedPlace& place, int grid_bits);
-
-[[nodiscard]] inline Bounded height_of(const CertifiedPlace& place) { return {place.y, place.radius}; }
-
-// Returns -1 where the first is certainly higher, and so comes first in sweep order; 0 where that is open.
-[[nodiscard]] inline int compare_heights(const Bounded& a, const Bounded& b) {
-  const double apart = b.value - a.value;
-  const double reach = Bounded::widened(a.radius + b.radius + unit_roundoff * std::fabs(apart));
-  return apart > reach ? 1 : apart < -reach ? -1 : 0;
-}
 
 // The place (x / w, y / w), w > 0, in the window's units.
 struct ExactPlace {

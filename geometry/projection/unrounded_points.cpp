@@ -7,7 +7,7 @@
 #include <mutex>
 #include <unordered_map>
 
-#include "geometry/numbers/bounded.h"
+#include "geometry/projection/certain_height.h"
 
 namespace sightline::inline geometry {
 namespace {

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "geometry/numbers/id_names.h"
+#include "geometry/projection/certain_height.h"
 #include "geometry/projection/projected_scene.h"
 #include "geometry/projection/unrounded_points.h"
 

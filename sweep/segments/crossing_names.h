@@ -15,7 +15,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "sweep/segments/swap_edge.h"
+#include "sweep/segments/swap_line.h"
 
 namespace sightline::inline sweep {
 

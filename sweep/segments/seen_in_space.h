@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "geometry/numbers/double_word.h"
-#include "sweep/segments/swap_edge.h"
+#include "sweep/segments/swap_line.h"
 
 namespace sightline::inline sweep {
 

@@ -21,7 +21,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "geometry/numbers/bounded.h"
+#include "geometry/projection/certain_height.h"
 #include "sweep/segments/crossing_names.h"
 #include "sweep/segments/seen_in_space.h"
 

@@ -1,6 +1,6 @@
 // Swap edges by a filter against those in integers, on planes at the extremes: far away, nearly one plane, nearly parallel to the
 // image, nearly edge-on.
-#include "sweep/segments/swap_edge.h"
+#include "sweep/segments/swap_line.h"
 
 #include <doctest/doctest.h>
 
@@ -8,7 +8,7 @@
 
 #include "tests/tools/polygon_mesh.h"
 
-namespace sightline::tests::swap_edge_test {
+namespace sightline::tests::swap_line_test {
 namespace {
 
 constexpr unsigned seed = 20261130;
@@ -97,4 +97,4 @@ TEST_CASE("swap edges: the line in integers is the one whose shares the edge has
   CHECK(seen > 250);
 }
 
-}  // namespace sightline::tests::swap_edge_test
+}  // namespace sightline::tests::swap_line_test

@@ -1,4 +1,4 @@
-#include "sweep/segments/swap_edge.h"
+#include "sweep/segments/swap_line.h"
 
 #include <algorithm>
 
