@@ -37,7 +37,7 @@ ProjectedScene projected(std::mt19937& random) {
   Mesh mesh = two_planes(random);
   const ViewPoint view{random_point(random, 1) + Vector3{0, 0, 3}, random_point(random, 0.1), {0, 1, 0}, 1, {}, {}};
   const Camera camera = random() % 2 == 0 ? perspective_camera("c", view, 60) : orthographic_camera("c", view, 3);
-  return project(std::make_shared<const CutMesh>(std::move(mesh)), camera, Sides::both, {Arithmetic::unrounded});
+  return project(uncrossed(std::move(mesh)), camera, Sides::both, {Arithmetic::unrounded});
 }
 
 double share(const BigInteger& coefficient, const BigInteger& largest) {
