@@ -8,8 +8,6 @@
 // relative errors of at most 3 u^2 + 13 u^3, 5 u^2 and 15 u^2 + 56 u^3: all below 2^-102 = 16 u^2. A product that underflows is
 // off by less than 2^-1060 beside. What the operands' radii let through is as in bounded.h; the magnitude of a double word is
 // taken as |high| + |low|, which is not less than it is but by a rounding, and `widened` has room for one more.
-// Rejected: integers of a fixed width. Their predicates are as exact, but a quotient that has to be rounded costs as much as
-// with integers of any size.
 // Source: M. Joldes, J.-M. Muller, V. Popescu, Tight and rigorous error bounds for basic building blocks of double-word
 // arithmetic, ACM TOMS 44 (2017).
 #pragma once

@@ -16,7 +16,7 @@ struct CertifiedPlace {
   double radius = 0;
 };
 
-// Places that may be further off than this are worked out exactly, and rounded: filters then decide as much of them as of
+// Places that may be further off than this are worked out with more bits, and rounded: filters then decide as much of them as of
 // others.
 constexpr double largest_radius = 0x1p-46;
 

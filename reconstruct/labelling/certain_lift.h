@@ -5,7 +5,7 @@
 //      is not told in space here.
 // Method: where the plane that an edge of the image is seen as meets the edge of the mesh (seen_in_space.h); where the ray to a
 //      point that is seen there meets the facet's plane.
-// Complexity: O(1); a twentieth of what it takes in integers of any size.
+// Complexity: O(1), in doubles.
 // Source: Koucky 2014, 3.8 and figure 3.8: the ray and the plane.
 #pragma once
 

@@ -239,7 +239,7 @@ TEST_CASE("engines: more points than a thread takes in a row") {
 TEST_CASE("engines: surfaces that overlap only because their image is rounded") {
   EngineTally tally;
   std::uint64_t without_order = 0;
-  const std::uint64_t scenes = scene_count(600);
+  const std::uint64_t scenes = scene_count(2000);
   for (std::uint64_t seed = 1; seed <= scenes; ++seed) {
     CAPTURE(seed);
     const tests::RandomSurfaces surfaces = tests::crowded_surfaces(seed);

@@ -27,7 +27,7 @@ Mesh moved(const lattice::RandomScene& scene, Moved how) {
 
 Mesh few_points_soup(std::mt19937_64& random) {
   const auto place = [&random] { return static_cast<double>(random() % 5) - 2; };
-  std::vector<Corners> faces(4 + random() % 5);
+  std::vector<Corners> faces(5 + random() % 6);
   for (Corners& face : faces) {
     face = {{place(), place(), place()}, {place(), place(), place()}, {place(), place(), place()}};
     if (random() % 4 == 0) face.push_back(face[0] + face[2] - face[1]);
