@@ -6,10 +6,15 @@
 
 #include <string_view>
 
-#include "oracle/scenes/random_scenes.h"
+#include "oracle/scenes/moved_scene.h"
 
 namespace sightline::fuzz {
 
 [[nodiscard]] lattice::RandomScene chosen_scene(std::string_view bytes);
+
+// Returns how the scene is to be moved off its lattice: that is in the number of the bytes.
+[[nodiscard]] inline lattice::Moved move_of(std::string_view bytes) {
+  return lattice::every_move[bytes.size() % lattice::every_move.size()];
+}
 
 }  // namespace sightline::fuzz

@@ -33,25 +33,29 @@ lattice::Complaints differences_from_truth(const Mesh& whole, const lattice::Ran
   return complaints;
 }
 
-// On the grid, cut where it passes through itself; and without rounding.
-void check_in(Arithmetic arithmetic, const lattice::RandomScene& scene) {
-  const Mesh whole = lattice::mesh_of(scene);
+// On the grid, cut where it passes through itself; or without rounding.
+void check_in(Arithmetic arithmetic, const lattice::RandomScene& scene, lattice::Moved how) {
+  const Mesh whole = lattice::moved(scene, how);
   const View view = Analyzer(whole, {.sides = policy_of(scene.sides), .precision = {arithmetic}}).view(scene.camera);
   lattice::Complaints complaints = lattice::complaints_of_stages(view);
-  const bool exact = !view.scene.is_unrounded() && !view.mesh().is_cut() && is_on_the_grid(whole, scene);
+  const bool exact = how == lattice::Moved::not_at_all && !view.scene.is_unrounded() && !view.mesh().is_cut() &&
+                     is_on_the_grid(whole, scene);
   const auto more = exact ? lattice::judge(scene).complaints : differences_from_truth(whole, scene, view);
   complaints.insert(complaints.end(), more.begin(), more.end());
   lattice::EngineTally tally;
   const std::string engines = lattice::engine_differences(view.scene, {{4, 2}}, tally);
   if (!engines.empty()) complaints.push_back("the engines differ: " + engines);
-  if (!complaints.empty()) throw Finding(lattice::joined(complaints) + lattice::to_text(scene));
+  if (!complaints.empty())
+    throw Finding("moved " + std::to_string(static_cast<int>(how)) + ": " + lattice::joined(complaints) +
+                  lattice::to_text(scene));
 }
 
 }  // namespace
 
 void check_sweep(std::string_view bytes) {
   const lattice::RandomScene scene = chosen_scene(bytes);
-  for (const Arithmetic arithmetic : {Arithmetic::exact, Arithmetic::unrounded}) check_in(arithmetic, scene);
+  check_in(Arithmetic::exact, scene, lattice::Moved::not_at_all);
+  check_in(Arithmetic::unrounded, scene, move_of(bytes));
 }
 
 }  // namespace sightline::fuzz

@@ -45,4 +45,6 @@ TEST_CASE("the fuzzer's scene files") { check_all("scene_file", sightline::fuzz:
 
 TEST_CASE("the fuzzer's scenes on a grid") { check_all("sweep", sightline::fuzz::check_sweep); }
 
+TEST_CASE("the fuzzer's scenes, cut") { check_all("cutting", sightline::fuzz::check_cutting); }
+
 }  // namespace sightline::tests::fuzz_corpus_test

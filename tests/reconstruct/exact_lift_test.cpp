@@ -68,4 +68,26 @@ TEST_CASE("lifts with bounds have the bits of those in integers") {
   CHECK(edges.open > scenes);
 }
 
+TEST_CASE("lifts with bounds have the bits of those in integers at the extremes of numbers") {
+  Tally planes;
+  Tally edges;
+  const std::uint64_t scenes = lattice::scene_count(1000) / 10;
+  for (std::uint64_t seed = 1; seed <= scenes; ++seed) {
+    CAPTURE(seed);
+    std::mt19937_64 random(seed);
+    const Mesh mesh = extreme_soup(random);
+    const ProjectedScene scene = project(uncrossed(mesh), camera_in_origin(), Sides::both, {Arithmetic::unrounded});
+    const VisibleSegments segments = find_visible_segments(scene);
+    const ImagePoints points(scene, segments);
+    check_planes(points, planes);
+    check_edges(points, edges);
+  }
+  MESSAGE(planes.certain << " and " << edges.certain << " with bounds, " << planes.open << " and " << edges.open
+                         << " left open");
+  CHECK(planes.certain > 10 * scenes);
+  CHECK(planes.open > scenes / 10);
+  CHECK(edges.certain > scenes);
+  CHECK(edges.open > scenes / 100);
+}
+
 }  // namespace sightline::tests::exact_lift_test

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "tests/tools/polygon_mesh.h"
+#include "tests/tools/unrounded_scenes.h"
 
 namespace sightline::tests::swap_line_test {
 namespace {
@@ -75,6 +76,32 @@ TEST_CASE("swap edges: the filter and the integers agree") {
     ++(edge ? filtered : open);
     if (edge) check_same(*edge, exact);
   }
+  CHECK(filtered > 1000);
+  CHECK(open > 100);
+}
+
+TEST_CASE("swap edges: the filter and the integers agree at the extremes of numbers") {
+  std::size_t filtered = 0;
+  std::size_t open = 0;
+  for (std::uint64_t extreme_seed = 1; extreme_seed <= 3000; ++extreme_seed) {
+    CAPTURE(extreme_seed);
+    std::mt19937_64 random(extreme_seed);
+    const ProjectedScene scene =
+        project(uncrossed(extreme_soup(random)), camera_in_origin(), Sides::both, {Arithmetic::unrounded});
+    ExactNearness nearness(scene);
+    for (std::size_t i = 0; i < scene.mesh().facet_count(); ++i) {
+      for (std::size_t j = i + 1; j < scene.mesh().facet_count(); ++j) {
+        const auto [first, second] = std::array{FacetId(i), FacetId(j)};
+        if (scene.status[i] != FacetStatus::in_view || scene.status[j] != FacetStatus::in_view) continue;
+        const auto of_first = bounded_nearness(scene, first);
+        const auto of_second = bounded_nearness(scene, second);
+        const auto edge = of_first && of_second ? swap_edge_tiers::filtered(*of_first, *of_second) : std::nullopt;
+        ++(edge ? filtered : open);
+        if (edge) check_same(*edge, swap_edge_tiers::exact(nearness.of(first), nearness.of(second)));
+      }
+    }
+  }
+  MESSAGE(filtered << " by the filter, " << open << " left open");
   CHECK(filtered > 1000);
   CHECK(open > 100);
 }

@@ -131,6 +131,19 @@ TEST_CASE("without rounding the visible areas of soups on a few points are the t
   CHECK(tally.exact_sides > 5 * tally.scenes);
 }
 
+TEST_CASE("without rounding the visible areas of scenes at the extremes of numbers are the truth's, as rationals") {
+  Tally tally;
+  for (std::uint64_t seed = first_seed; seed < first_seed + lattice::scene_count(1000); ++seed) {
+    CAPTURE(seed);
+    std::mt19937_64 random(seed);
+    hold_to_truth(extreme_soup(random), camera_in_origin(), seed % 5 == 0 ? Sides::front : Sides::both, tally);
+  }
+  MESSAGE(tally.scenes << " scenes, " << tally.along_swaps << " segments along swap edges, " << tally.exact_sides
+                       << " sides in integers");
+  CHECK(tally.along_swaps > tally.scenes);
+  CHECK(tally.exact_sides > tally.scenes / 10);
+}
+
 // Of each face the areas of its polygons are within their own rounding of what the segments bound, exactly; and there are as
 // many polygons and rings as on the grid, of what is cut there, where nothing passes through anything.
 TEST_CASE("without rounding the visible polygons have the areas that their segments bound") {
