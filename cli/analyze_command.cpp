@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "cli/analyze/normal_warnings.h"
 #include "cli/analyze/view_analysis.h"
 #include "cli/pages/report_page.h"
 #include "cli/results/report_json.h"
@@ -107,6 +108,10 @@ std::string analyzed(const AnalyzeOptions& options) {
   const bool needs_normals = !scene.panels.empty() && scene.reflection.needs_vertex_normals();
   MeshInput input =
       read_mesh(scene.mesh_file, needs_normals ? Normals::read : Normals::passed_over, options.max_memory, progress);
+  if (needs_normals) {
+    for (std::string& warning : normal_warnings(input.mesh, input.corner_normals, scene.reflection))
+      input.warnings.push_back(std::move(warning));
+  }
   std::optional<Output> output;
   if (options.output) output.emplace(*options.output, options.report_page);
   AnalysisWatch watch(options.max_memory, progress);

@@ -9,6 +9,7 @@ set(sightline_headers
   sightline/version.h
 
   geometry/mesh/mesh.h
+  geometry/mesh/vertex_normals.h
   geometry/mesh/cut_mesh.h
   geometry/projection/camera.h
   reflect/world/panel.h

@@ -132,6 +132,20 @@ double read_tolerance(const TomlReader& table) {
   return tolerance;
 }
 
+NormalMeans read_means(const TomlReader& table) {
+  const std::string word = table.text("means");
+  for (const NormalMeans means : {NormalMeans::area, NormalMeans::plain}) {
+    if (word == to_string(means)) return means;
+  }
+  table.fail("means", "'means' must be \"area\" or \"plain\"");
+}
+
+double read_crease_angle(const TomlReader& table) {
+  const double angle = table.number("crease_angle_deg");
+  if (!(angle >= 0 && angle <= 180)) table.fail("crease_angle_deg", "'crease_angle_deg' must be from 0 to 180");
+  return angle;
+}
+
 }  // namespace
 
 Camera read_camera(const TomlReader& table) {
@@ -160,7 +174,7 @@ Panel read_panel(const TomlReader& table) {
 }
 
 ReflectionOptions read_reflection(const TomlReader& table) {
-  table.allow_only({"mode", "normals", "tolerance"});
+  table.allow_only({"mode", "normals", "tolerance", "means", "crease_angle_deg"});
   ReflectionOptions options;
   options.mode = read_mode(table);
   const auto only_for = [&](const char* key, ReflectionMode mode) {
@@ -170,6 +184,12 @@ ReflectionOptions read_reflection(const TomlReader& table) {
   };
   if (only_for("normals", ReflectionMode::triangles)) options.normals = read_normals(table);
   if (only_for("tolerance", ReflectionMode::smooth)) options.tolerance = read_tolerance(table);
+  for (const char* key : {"means", "crease_angle_deg"}) {
+    if (table.has(key) && !options.needs_vertex_normals())
+      table.fail(key, fmt::format("'{}' is for modes that have vertex normals: \"smooth\" and \"triangles\"", key));
+  }
+  if (table.has("means")) options.means = read_means(table);
+  if (table.has("crease_angle_deg")) options.crease_angle_degrees = read_crease_angle(table);
   return options;
 }
 

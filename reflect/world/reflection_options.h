@@ -7,7 +7,9 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
+#include "geometry/mesh/vertex_normals.h"
 #include "geometry/numbers/export.h"
 
 namespace sightline::inline reflect {
@@ -22,12 +24,20 @@ enum class MirrorNormals : std::uint8_t { face, vertex };
 struct ReflectionOptions {
   ReflectionMode mode = ReflectionMode::exact;
   MirrorNormals normals = MirrorNormals::vertex;  // for triangles: exact has those of faces, smooth those of vertices
-  // With smooth, a part of the image is not divided further where dividing it changes the area that reflects by no more
-  // than this share of the part.
+  // With smooth: of what reflects a panel, no larger share of its area in the image may be wrong, and no border further from where it
+  // should be, in halves of the window.
   double tolerance = 1e-3;
+  // How normals that the file does not give are means of those of faces; where it is not said, weighted by area for smooth, and
+  // plain, as published, for triangles.
+  std::optional<NormalMeans> means = std::nullopt;
+  std::optional<double> crease_angle_degrees = std::nullopt;
 
   [[nodiscard]] bool needs_vertex_normals() const {
     return mode == ReflectionMode::smooth || (mode == ReflectionMode::triangles && normals == MirrorNormals::vertex);
+  }
+  [[nodiscard]] NormalOptions normal_options() const {
+    const NormalMeans usual = mode == ReflectionMode::triangles ? NormalMeans::plain : NormalMeans::area;
+    return {means.value_or(usual), crease_angle_degrees};
   }
 };
 

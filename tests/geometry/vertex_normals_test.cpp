@@ -67,6 +67,48 @@ TEST_CASE("without given normals a corner has the mean of the faces around it, w
   }
 }
 
+TEST_CASE("plain means give every face the same weight, at any scale") {
+  for (const double scale : {1.0, 0x1p-1060, 0x1p1000}) {
+    CAPTURE(scale);
+    const std::vector<Vector3> normals = vertex_normals(box_corner(scale), {}, {NormalMeans::plain, std::nullopt});
+    CHECK(is_near(normals[0], -1 / std::sqrt(3.0) * Vector3{1, 1, 1}));
+    CHECK(is_near(normals[3], -1 / std::sqrt(2.0) * Vector3{0, 1, 1}));
+  }
+}
+
+TEST_CASE("beyond a crease faces do not count") {
+  const std::vector<Vector3> sharp = vertex_normals(box_corner(1), {}, {NormalMeans::area, 89});
+  CHECK(is_near(sharp[0], {0, 0, -1}));
+  CHECK(is_near(sharp[4], {0, -1, 0}));
+  CHECK(is_near(sharp[8], {-1, 0, 0}));
+  CHECK(vertex_normals(box_corner(1), {}, {NormalMeans::area, 91}) == vertex_normals(box_corner(1), {}));
+}
+
+TEST_CASE("doubts about normals: those of faces, turned ones, and means across sharp edges") {
+  const Mesh box = box_corner(1);
+  const NormalDoubts means = doubts_about_normals(box, {});
+  CHECK_FALSE(means.are_of_faces);
+  CHECK(means.turned_corners == 0);
+  CHECK(means.sharpest_mean == doctest::Approx(90));
+  CHECK(means.sharpest[0] != means.sharpest[1]);
+  CHECK(doubts_about_normals(box, {}, {NormalMeans::area, 80}).sharpest_mean == 0);
+  const Vector3 down{0, 0, -1};
+  const Vector3 front{0, -2, 0};
+  const Vector3 left{-3, 0, 0};
+  std::vector<Vector3> of_faces{down, down, down, down, front, front, front, front, left, left, left, left};
+  const NormalDoubts flat = doubts_about_normals(box, of_faces);
+  CHECK(flat.are_of_faces);
+  CHECK(flat.sharpest_mean == 0);
+  of_faces[5] = -front;
+  const NormalDoubts turned = doubts_about_normals(box, of_faces);
+  CHECK_FALSE(turned.are_of_faces);
+  CHECK(turned.turned_corners == 1);
+  CHECK(turned.first_turned == FaceId(1));
+  // A flat mesh has no other normals than those of its faces.
+  const Mesh flat_mesh = read_obj(triangle + "f 1 2 3\n", "test.obj").mesh;
+  CHECK_FALSE(doubts_about_normals(flat_mesh, {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}}).are_of_faces);
+}
+
 TEST_CASE("vertices at one place share their mean, and given normals stand") {
   // Two triangles make a roof, each with its own vertices.
   const ObjFile roof =
