@@ -6,10 +6,10 @@
 //      (merged_scene.h); the ids of facets, segments and polygons stay what they were.
 // Holds: a reflecting polygon lies in a visible polygon of its face, and shares its points where it runs along its
 //      border; what splits a mesh edge is among the segments' splits, so that the labelled surface stays conforming.
-//      Polygons of different panels overlap only where these lie in one plane, on each other.
+//      Polygons of different panels do not overlap: of panels that lie in one plane, on each other, the first one is in front.
 // Modes: exact or smooth (reflection_options.h); marking triangles comes after labelling (reflecting_triangles.h).
 // Complexity: O(1) per visible polygon and panel where the pyramid misses the panel; else a search among the obstacles,
-// and what overlay.h and the sweep of their shadows cost (exact), or per square into which smooth_mirror.h divides it.
+// and what overlay.h and the sweep of their shadows cost (exact), or per cell into which smooth_search.h has it divided.
 // Then that of merged_scene.h, and O(m v) to find where the m points of a surface split its v visible edges.
 // Errors: InternalError; in float and double ArithmeticError instead.
 // Source: Koucky 2014, 3.9; see mirror.h and smooth_mirror.h for the departures.
@@ -26,6 +26,10 @@ namespace sightline::inline reflect {
 struct PanelReflection {
   VisibleSegments segments;  // the borders of the reflecting polygons; their points are the merged scene's
   VisiblePolygons polygons;
+  // Of smooth mirrors, in window units: how much of the reflecting area may be wrong, that of all polygons together; and how far
+  // a border may be from where it should be.
+  double uncertain_area = 0;
+  double border_distance = 0;
 };
 
 struct Reflections {

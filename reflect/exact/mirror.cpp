@@ -82,13 +82,18 @@ const Mirror::PanelImage& Mirror::image_of(std::size_t panel) {
   if (side == 0 || (side < 0 && world_.panels[panel].emits == Emits::front)) return image;
   image.towards_centre = side > 0 ? plane : plane.turned();
   image.towards_centre_form = side > 0 ? form : -form;
-  for (std::size_t f = 0; f < mesh.facet_count(); ++f) {
-    auto polygon = certain_image(forms_, scene_.camera, corners_of(mesh, UncutFacetId(f)), scene_.grid_bits);
-    add_if_any(image.polygons,
-               polygon ? *std::move(polygon) : exact_view().image(uncut_polygon(mesh, UncutFacetId(f))));
-  }
+  image.polygons = polygons_of(mesh);
   image.part = around(image.polygons, scene_.grid_bits);
   return image;
+}
+
+std::vector<ImagePolygon> Mirror::polygons_of(const CutMesh& panel) {
+  std::vector<ImagePolygon> polygons;
+  for (std::size_t f = 0; f < panel.facet_count(); ++f) {
+    auto polygon = certain_image(forms_, scene_.camera, corners_of(panel, UncutFacetId(f)), scene_.grid_bits);
+    add_if_any(polygons, polygon ? *std::move(polygon) : exact_view().image(uncut_polygon(panel, UncutFacetId(f))));
+  }
+  return polygons;
 }
 
 std::vector<ImagePolygon> Mirror::shadows(const WindowPart& part, std::size_t panel, const PanelImage& image,
@@ -105,6 +110,9 @@ std::vector<ImagePolygon> Mirror::shadows(const WindowPart& part, std::size_t pa
       ++statistics.obstacles;
       add_if_any(shadows, shadow(world_.panel_meshes[p], UncutFacetId(f), image));
     }
+  }
+  for (const std::size_t p : world_.panels_over[panel]) {
+    for (ImagePolygon& over : polygons_of(world_.panel_meshes[p])) shadows.push_back(std::move(over));
   }
   statistics.blocked += shadows.empty() ? 0 : 1;
   return shadows;

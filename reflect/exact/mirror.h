@@ -47,6 +47,7 @@ class Mirror {
   };
 
   [[nodiscard]] const PanelImage& image_of(std::size_t panel);
+  [[nodiscard]] std::vector<ImagePolygon> polygons_of(const CutMesh& panel);
   [[nodiscard]] std::vector<ImagePolygon> shadows(const WindowPart& part, std::size_t panel, const PanelImage& image,
                                                   ReflectionStatistics& statistics);
   [[nodiscard]] ImagePolygon shadow(const CutMesh& mesh, UncutFacetId obstacle, const PanelImage& image);

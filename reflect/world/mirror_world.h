@@ -38,6 +38,9 @@ struct MirrorWorld {
   std::vector<CutMesh> panel_meshes;  // one face each
   std::vector<ExactPlane> panel_planes;
   std::vector<Box> panel_boxes;
+  // Per panel those that lie in its plane, exactly, and come before it: where they overlap, they are in front, as the lower face
+  // index is of the surface's faces.
+  std::vector<std::vector<std::size_t>> panels_over;
   Obstacles obstacles;
   double scale = 1;              // unit_scale of the surface's vertices
   std::vector<Vector3> normals;  // where the options need them: vertex_normals(surface)
@@ -53,8 +56,6 @@ struct ReflectionStatistics {
   std::uint64_t pyramids = 0;   // pairs of a panel and what may reflect it: a visible polygon, a triangle, a cell
   std::uint64_t obstacles = 0;  // facets, or for triangles vertices, that were looked at in them
   std::uint64_t blocked = 0;    // pyramids in which an obstacle casts a shadow on the panel's image, or is in the way
-  double looked_area = 0;       // of the cells of smooth mirrors, in window units
-  double changed_area = 0;      // by how much dividing these cells for the last time changed what reflects in them
 };
 
 }  // namespace sightline::inline reflect

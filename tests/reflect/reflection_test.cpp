@@ -174,14 +174,41 @@ TEST_CASE("of two panels the one before hides the other, with its dark side too"
   CHECK(dark[1] == 0);
 }
 
-TEST_CASE("two panels in one place are both mirrored there") {
-  const Outcome outcome =
-      reflected({floor_mirror}, {{"a", overhead, Emits::both}, {"b", rectangle(2, 4, -1, 1, 4), Emits::both}});
-  CHECK(outcome.areas == std::vector<double>{1, 1});
-  double shared = 0;
-  for (const LabelledTriangle& t : outcome.view.labelled.triangles)
-    shared += t.reflecting == 3 ? area(outcome.view.labelled, t) : 0;
-  CHECK(shared == 0.5);
+TEST_CASE(
+    "of two panels in one plane the first one is in front, in mirrors of both kinds, whichever way the other is "
+    "turned") {
+  Corners other = rectangle(2, 4, -1, 1, 4);
+  for (const bool is_turned : {false, true}) {
+    CAPTURE(is_turned);
+    if (is_turned) std::ranges::reverse(other);
+    const std::vector<Panel> panels{{"a", overhead, Emits::both}, {"b", other, Emits::both}};
+    const Outcome outcome = reflected({floor_mirror}, panels);
+    CHECK(outcome.areas == std::vector<double>{1, 0.5});
+    const MirrorOutcome bent = reflected(AnyMesh(mesh_of({floor_mirror})), panels, looking_down(mirror_eye),
+                                         {ReflectionMode::smooth, MirrorNormals::vertex, 1e-3});
+    CHECK(bent.areas[0] == doctest::Approx(1).epsilon(1e-9));
+    CHECK(bent.areas[1] == doctest::Approx(0.5).epsilon(1e-9));
+    for (const LabelledTriangle& t : outcome.view.labelled.triangles) CHECK(t.reflecting != 3);
+  }
+}
+
+// Whether a camera is shown the backs of faces is no matter of light.
+TEST_CASE("faces whose backs are not shown block mirrored rays, in mirrors of both kinds") {
+  Corners facing_down = rectangle(0.625, 2.125, -0.375, 0.375, 2);
+  std::ranges::reverse(facing_down);
+  const Mesh mesh = mesh_of({floor_mirror, facing_down});
+  for (const ReflectionMode mode : {ReflectionMode::exact, ReflectionMode::smooth}) {
+    CAPTURE(static_cast<int>(mode));
+    const MirrorWorld world =
+        mirror_world(AnyMesh(mesh), {{"overhead", overhead, Emits::both}}, {mode, MirrorNormals::vertex, 1e-3});
+    const View view = Analyzer(world.surface, {.sides = SidesPolicy::front, .reflection = world.options})
+                          .view(looking_down(mirror_eye), world);
+    double area = 0;
+    for (const LabelledTriangle& t : view.labelled.triangles)
+      area += t.reflecting != 0 ? tests::area(view.labelled, t) : 0;
+    // As in "of two panels", where the obstacle is a panel: but nothing of the obstacle is seen itself.
+    CHECK(std::fabs(area - (1 - 0.75 * 0.5)) < 1e-9);
+  }
 }
 
 TEST_CASE("a panel around the camera: the camera looks at its own mirror image") {
