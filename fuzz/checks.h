@@ -27,8 +27,8 @@ void check_scene_file(std::string_view bytes);
 // images lie on the integer oracle's grid, else within what rounding to the grid explains; also of the scene moved off the grid.
 void check_sweep(std::string_view bytes);
 
-// The bytes choose faces as for check_sweep; they are taken as they are, and moved off the grid in several ways. Cut along their
-// common lines they are a valid mesh, and the points that cutting makes do not depend on the order of the faces.
+// The bytes choose faces as for check_sweep. Cut along their common lines they are a valid mesh, and the points that cutting makes
+// do not depend on the order of the faces.
 void check_cutting(std::string_view bytes);
 
 }  // namespace sightline::fuzz
