@@ -6,7 +6,7 @@
 
 #include "reflect/exact/mirror.h"
 #include "reflect/reflecting_border.h"
-#include "reflect/smooth/smooth_mirror.h"
+#include "reflect/smooth/smooth_search.h"
 #include "sweep/segments/image_points.h"
 
 namespace sightline::inline reflect {
@@ -21,15 +21,29 @@ struct ReflectingBorders {
   RegionBorder segments;
   std::vector<Owner> owners;  // parallel to the segments
   ReflectionStatistics statistics;
+  std::vector<SmoothMirror::Reflecting> smooth;  // per panel, where mirrors are smooth
+
+  // `found` has a border per panel.
+  void add(FacetId surface, std::vector<RegionBorder> found) {
+    found = divided_at_meetings(std::move(found));
+    for (std::size_t panel = 0; panel < found.size(); ++panel) {
+      segments.insert(segments.end(), found[panel].begin(), found[panel].end());
+      owners.resize(segments.size(), {surface, panel});
+    }
+  }
 };
 
-template <class MirrorKind>
+// Polygons are sorted by their surface.
 class ReflectionSearch {
  public:
   ReflectionSearch(const MirrorWorld& world, const ImagePoints& image, const VisiblePolygons& polygons)
       : world_(world), scene_(image.scene()), segments_(image.segments()), polygons_(polygons), points_(image) {}
 
   ReflectingBorders run() {
+    if (world_.options.mode == ReflectionMode::smooth) {
+      add_smooth();
+      return std::move(found_);
+    }
     for (std::size_t p = 0; p < polygons_.polygons.size(); ++p) {
       if (!polygons_.polygons[p].below_resolution) add_polygon(p);
     }
@@ -37,7 +51,21 @@ class ReflectionSearch {
   }
 
  private:
-  // Polygons are sorted by their surface.
+  void add_smooth() {
+    if (world_.panels.empty()) return;
+    std::vector<MirrorPolygon> polygons;
+    for (std::size_t p = 0; p < polygons_.polygons.size(); ++p) {
+      if (!polygons_.polygons[p].below_resolution) polygons.push_back({polygons_.polygons[p].facet, border_of(p)});
+    }
+    SmoothReflections smooth = find_smooth_reflections(world_, scene_, polygons, found_.statistics);
+    for (std::size_t p = 0; p < polygons.size(); ++p) {
+      std::vector<RegionBorder> borders;
+      for (SmoothMirror::Reflecting& found : smooth.found[p]) borders.push_back(std::move(found.border));
+      found_.add(polygons[p].surface, std::move(borders));
+    }
+    found_.smooth = std::move(smooth.together);
+  }
+
   void add_polygon(std::size_t p) {
     const FacetId surface = polygons_.polygons[p].facet;
     if (!mirror_ || surface != mirrored_surface_) {
@@ -50,11 +78,7 @@ class ReflectionSearch {
     const RegionBorder border = border_of(p);
     std::vector<RegionBorder> found(world_.panels.size());
     for (const std::size_t panel : reached) found[panel] = mirror_->reflecting(border, part, panel, found_.statistics);
-    found = divided_at_meetings(std::move(found));
-    for (std::size_t panel = 0; panel < found.size(); ++panel) {
-      found_.segments.insert(found_.segments.end(), found[panel].begin(), found[panel].end());
-      found_.owners.resize(found_.segments.size(), {surface, panel});
-    }
+    found_.add(surface, std::move(found));
   }
 
   template <class Visit>
@@ -91,15 +115,10 @@ class ReflectionSearch {
   const VisibleSegments& segments_;
   const VisiblePolygons& polygons_;
   const ImagePoints& points_;
-  std::optional<MirrorKind> mirror_;
+  std::optional<Mirror> mirror_;
   FacetId mirrored_surface_;
   ReflectingBorders found_;
 };
-
-ReflectingBorders find_borders(const MirrorWorld& world, const ImagePoints& image, const VisiblePolygons& polygons) {
-  return world.options.mode == ReflectionMode::smooth ? ReflectionSearch<SmoothMirror>(world, image, polygons).run()
-                                                      : ReflectionSearch<Mirror>(world, image, polygons).run();
-}
 
 std::vector<SurfaceSegment> border_of_panel(const ReflectingBorders& borders, std::size_t panel,
                                             const MergedScene& merged) {
@@ -131,6 +150,11 @@ ReflectedView reflected_view(const MirrorWorld& world, const ReflectingBorders& 
   reflections.statistics = borders.statistics;
   for (std::size_t panel = 0; panel < world.panels.size(); ++panel)
     reflections.panels.push_back(panel_reflection(merged, border_of_panel(borders, panel, merged)));
+  for (std::size_t panel = 0; panel < borders.smooth.size(); ++panel) {
+    const int grid_bits = merged.scene.grid_bits;
+    reflections.panels[panel].uncertain_area = std::ldexp(borders.smooth[panel].uncertain_area, -2 * grid_bits);
+    reflections.panels[panel].border_distance = std::ldexp(borders.smooth[panel].distance, -grid_bits);
+  }
   for (const PanelReflection& panel : reflections.panels) add_splits(merged.segments, panel.segments);
   return {std::move(merged.scene), std::move(merged.segments), std::move(reflections)};
 }
@@ -158,7 +182,7 @@ ReflectedView find_reflections(const MirrorWorld& world, ProjectedScene scene, V
                                const VisiblePolygons& polygons) {
   return with_invariants_of(scene.arithmetic, [&] {
     const ImagePoints image(scene, segments);
-    const ReflectingBorders borders = find_borders(world, image, polygons);
+    const ReflectingBorders borders = ReflectionSearch(world, image, polygons).run();
     if (scene.is_unrounded()) return reflected_view(world, borders, merge(image, borders.segments));
     return reflected_view(world, borders, merge(std::move(scene), std::move(segments), borders.segments));
   });

@@ -126,6 +126,8 @@ Report::ReflectedPanel reflected_panel(const Panel& panel, std::size_t index, co
   reflected.name = panel.name;
   reflected.emits = panel.emits;
   for (const FaceMeasures& face : faces) reflected.area += face.reflecting_area[index];
+  reflected.uncertain_image_area = view.reflections.panels[index].uncertain_area;
+  reflected.border_distance = view.reflections.panels[index].border_distance;
   if (view.reflections.mode == ReflectionMode::triangles) {
     measure_triangles(view, index, reflected);
   } else {
@@ -139,9 +141,12 @@ Report::Reflection reflection_of(const SceneDescription& scene, const View& view
   const ReflectionStatistics& statistics = view.reflections.statistics;
   Report::Reflection reflection;
   reflection.asked = scene.reflection;
-  if (statistics.looked_area > 0) reflection.reached = statistics.changed_area / statistics.looked_area;
   for (std::size_t p = 0; p < view.reflections.panels.size(); ++p)
     reflection.panels.push_back(reflected_panel(scene.panels[p], p, view, faces));
+  for (const Report::ReflectedPanel& panel : reflection.panels) {
+    if (panel.image_area > 0)
+      reflection.reached = std::max(reflection.reached, panel.uncertain_image_area / panel.image_area);
+  }
   reflection.pyramids = statistics.pyramids;
   reflection.obstacles = statistics.obstacles;
   reflection.blocked = statistics.blocked;

@@ -60,12 +60,14 @@ struct Report {
     Emits emits = Emits::both;
     double area = 0;  // of the surface that reflects it
     double image_area = 0;
-    std::size_t polygons = 0;  // in the image: triangles in the mode of this name, else polygons
+    std::size_t polygons = 0;         // in the image: triangles in the mode of this name, else polygons
+    double uncertain_image_area = 0;  // in smooth mode: at most so much of image_area may be wrong
+    double border_distance = 0;       // and so far, in half windows, its border may be from where it should be
   };
 
   struct Reflection {
     ReflectionOptions asked;
-    double reached = 0;  // in smooth mode: the share that the tolerance bounds
+    double reached = 0;  // in smooth mode: the largest share of a panel's image area that may be wrong
     std::vector<ReflectedPanel> panels;
     std::uint64_t pyramids = 0;
     std::uint64_t obstacles = 0;

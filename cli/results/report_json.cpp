@@ -72,11 +72,16 @@ Json mode_json(const Report::Reflection& reflection) {
 Json reflection_json(const Report::Reflection& reflection) {
   const char* const noun = reflection.asked.mode == ReflectionMode::triangles ? "triangles" : "polygons";
   const auto panel_json = [&](const Report::ReflectedPanel& panel) -> Json {
-    return {{"name", panel.name},
-            {"emits", as_json(panel.emits)},
-            {"area", panel.area},
-            {"image_area", panel.image_area},
-            {noun, panel.polygons}};
+    Json part = {{"name", panel.name},
+                 {"emits", as_json(panel.emits)},
+                 {"area", panel.area},
+                 {"image_area", panel.image_area},
+                 {noun, panel.polygons}};
+    if (reflection.asked.mode == ReflectionMode::smooth) {
+      part["uncertain_image_area"] = panel.uncertain_image_area;
+      part["border_distance"] = panel.border_distance;
+    }
+    return part;
   };
   Json part = mode_json(reflection);
   part.update({{"panels", list_json(reflection.panels, panel_json)},

@@ -35,7 +35,7 @@ MirrorRays::MirrorRays(const PolygonMesh& mesh, const std::vector<Panel>& panels
     : camera_(camera), is_bent_(!normals.empty()) {
   add(faces_, mesh, 0, false);
   for (std::size_t f = 0; is_bent_ && f < faces_.size(); ++f) {
-    for (std::size_t i = 0; i < 3; ++i) faces_[f].normals[i] = normals[3 * f + i];
+    for (std::size_t i = 0; i < 3; ++i) faces_[f].normals[i] = normals[3 * f + i].normalized();
   }
   for (std::size_t p = 0; p < panels.size(); ++p)
     add(panels_, panel_mesh(panels[p]), p, panels[p].emits == Emits::front);

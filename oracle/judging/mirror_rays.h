@@ -1,7 +1,7 @@
 // Reflections by rays, in plain floating point: the oracle of reflect/, with which it shares no code.
 //
 // In:  faces, panels and a pinhole camera. Out: which panel a ray through a place of the window meets after it was
-//      mirrored once, if any; -1: none. With normals (parallel to mesh.faces.corners, of triangles) it is mirrored at
+//      mirrored once, if any; -1: none. With normals (parallel to mesh.faces.corners, of triangles, of any length) it is mirrored at
 //      their interpolation, and what does not rise from its face meets nothing.
 // Method: brute force. The ray's first hit on a face, the law of reflection at the face's plane, and of the mirrored
 //      ray the first hit on another face or a panel.

@@ -1,6 +1,5 @@
 #include "reflect/smooth/smooth_mirror.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "reflect/world/uncut_facets.h"
@@ -8,20 +7,114 @@
 namespace sightline::inline reflect {
 namespace {
 
-// A square halved so often is not divided further, nor one in which rounding to the grid moves a border by a share that
-// matters: what dividing it changed last is in the statistics.
-constexpr int most_divisions = 12;
-constexpr std::int64_t enough_spacings = 256;
-
-// Two regions that are alike by chance, or both empty, say little.
-constexpr int fewest_divisions = 2;
-
-// It is at least 2, so that its halves have a size.
-std::int64_t smallest_size(int grid_bits) {
-  return std::max(std::int64_t{2}, std::min(enough_spacings, (std::int64_t{1} << grid_bits) / 64));
+BentMirror::WindowTriangle in_window(const ImageTriangle& triangle, int grid_bits) {
+  BentMirror::WindowTriangle result;
+  for (std::size_t i = 0; i < 3; ++i)
+    result[i] = {std::ldexp(static_cast<double>(triangle[i].x), -grid_bits),
+                 std::ldexp(static_cast<double>(triangle[i].y), -grid_bits)};
+  return result;
 }
 
-// Closed rings that run counter-clockwise count positive. They are measured around the first place, to keep digits.
+// A facet of the surface or of a panel, as a ray meets it from one side: there its corners are seen counter-clockwise.
+struct FacetSide {
+  std::vector<Point3> corners;  // scaled
+  std::vector<VertexId> vertices;
+  BentMirror::Plane plane;
+  std::uint32_t object = 0;  // the number of its panel, or that behind the last one for the surface
+  bool from_front = true;
+};
+
+FacetSide facet_side(const MirrorWorld& world, const CutMesh& mesh, UncutFacetId facet, std::size_t object,
+                     bool from_front) {
+  FacetSide side;
+  side.object = static_cast<std::uint32_t>(object);
+  side.from_front = from_front;
+  const auto corners = mesh.uncut_corners(facet);
+  side.vertices.assign(corners.begin(), corners.end());
+  if (!from_front) std::ranges::reverse(side.vertices);
+  for (const VertexId v : side.vertices) side.corners.push_back(world.scale * mesh.position(v));
+  std::array<Point3, 3> plane = plane_points(mesh, mesh.first_piece(facet));
+  if (!from_front) std::swap(plane[1], plane[2]);
+  const Vector3 along = world.scale * plane[1] - world.scale * plane[0];
+  side.plane = {unit(along.cross(world.scale * plane[2] - world.scale * plane[0])), world.scale * plane[0]};
+  return side;
+}
+
+Seam seam_of(const CutMesh& mesh, const FacetSide& side, std::size_t i) {
+  const VertexId p = mesh.weld[side.vertices[i].index()];
+  const VertexId q = mesh.weld[side.vertices[(i + 1) % side.vertices.size()].index()];
+  return {side.object, side.from_front, p.value, q.value};
+}
+
+// Collects conditions as long as none fails.
+class Collector {
+ public:
+  [[nodiscard]] bool add(const Condition& condition, std::optional<Seam> seam = std::nullopt) {
+    const Standing at = standing(condition);
+    is_possible_ = is_possible_ && at != Standing::fails;
+    if (at == Standing::open) part_.push_back({condition, seam});
+    return is_possible_;
+  }
+  [[nodiscard]] ConvexPart take() { return std::move(part_); }
+
+ private:
+  ConvexPart part_;
+  bool is_possible_ = true;
+};
+
+// Adds that a ray meets the facet from this side.
+bool add_meeting(const BentMirror& mirror, const CutMesh& mesh, const FacetSide& side, Collector& collector) {
+  bool is_possible = collector.add(mirror.starts_before(side.plane));
+  for (std::size_t i = 0; i < side.corners.size() && is_possible; ++i)
+    is_possible = collector.add(mirror.passes_left_of(side.corners[i], side.corners[(i + 1) % side.corners.size()]),
+                                seam_of(mesh, side, i));
+  return is_possible;
+}
+
+// Where a level line crosses a region, the widest stretch of it that is inside; none where rounding leaves none.
+struct Stretch {
+  Point2 middle;
+  double width = 0;
+};
+
+Stretch widest_stretch(const RegionBorder& border, double y) {
+  std::vector<std::pair<double, int>> crossings;
+  for (const BorderSegment& s : border) {
+    const CrossingPoint& p = s.start.at;
+    const CrossingPoint& q = s.end.at;
+    if ((p.y > y) != (q.y > y)) crossings.emplace_back(p.x + (y - p.y) / (q.y - p.y) * (q.x - p.x), p.y > y ? 1 : -1);
+  }
+  std::ranges::sort(crossings);
+  Stretch widest;
+  int winding = 0;
+  for (std::size_t i = 0; i + 1 < crossings.size(); ++i) {
+    winding += crossings[i].second;
+    const double width = crossings[i + 1].first - crossings[i].first;
+    if (winding > 0 && width > widest.width) widest = {{crossings[i].first + width / 2, y}, width};
+  }
+  return widest;
+}
+
+// Returns whether some place of the region is lit for certain: one is looked for beside each of its borders.
+bool has_witness(const RegionBorder& border, const std::vector<LitCell>& covers) {
+  return std::ranges::any_of(border, [&](const BorderSegment& s) {
+    const Stretch stretch = widest_stretch(border, (s.start.at.y + s.end.at.y) / 2);
+    return stretch.width > 0 &&
+           std::ranges::any_of(covers, [&](const LitCell& cover) { return is_lit_at(cover, stretch.middle); });
+  });
+}
+
+RegionBorder inside_half_planes(RegionBorder border, const SmoothPatch& patch, int grid_bits) {
+  for (const ImagePolygon& half_plane : patch.half_planes) {
+    if (border.empty() || half_plane.size() < 3) return {};
+    border = common_part(border, lit_region({half_plane}, {}, grid_bits));
+  }
+  return border;
+}
+
+}  // namespace
+
+// They are measured around the first place, to keep digits.
 double area_of(const RegionBorder& border) {
   double twice = 0;
   for (const BorderSegment& segment : border) {
@@ -33,199 +126,133 @@ double area_of(const RegionBorder& border) {
   return twice / 2;
 }
 
-std::array<ImagePoint, 4> quarters(const ImagePoint& low, std::int64_t half) {
-  return {low, ImagePoint{low.x + half, low.y}, ImagePoint{low.x, low.y + half},
-          ImagePoint{low.x + half, low.y + half}};
-}
-
-// These are several polygons in one triangle.
-struct Cover {
-  std::vector<ImagePolygon> polygons;
-  bool is_whole = false;  // one of them covers the triangle
-
-  void add(LinearPart part) {
-    is_whole = is_whole || part.is_whole;
-    if (!part.polygon.empty()) polygons.push_back(std::move(part.polygon));
-  }
-};
-
-// Returns what of the triangle is in the image but not in shadow.
-RegionBorder lit_part(const RightTriangle& triangle, const Cover& image, const Cover& shadow, int grid_bits) {
-  if (shadow.is_whole) return {};
-  RegionBorder border = lit_region({ImagePolygon(triangle.begin(), triangle.end())}, {}, grid_bits);
-  if (image.is_whole && shadow.polygons.empty()) return border;
-  return common_part(border, lit_region(image.polygons, shadow.polygons, grid_bits));
-}
-
-void append(RegionBorder& border, const RegionBorder& more) { border.insert(border.end(), more.begin(), more.end()); }
-
-}  // namespace
-
 SmoothMirror::SmoothMirror(const MirrorWorld& world, const ProjectedScene& scene, FacetId surface)
     : world_(world),
       scene_(scene),
-      normals_(*world.surface, world.normals, surface),
-      rays_(scene.camera, normals_, plane_points(*world.surface, surface)[0], world.scale) {
-  std::array<Point3, 3> plane = plane_points(*world.surface, surface);
-  if (scene.facing[surface.index()] == FacetFacing::back) std::swap(plane[1], plane[2]);
-  exact_plane_ = plane_through(plane);
-  plane_form_ = plane_form(world.scale * plane[0], world.scale * plane[1], world.scale * plane[2]);
+      plane_(plane_points(*world.surface, surface)),
+      patches_(smooth_patches(world, scene, surface)) {
+  if (scene.facing[surface.index()] == FacetFacing::back) std::swap(plane_[1], plane_[2]);
 }
 
-std::vector<std::size_t> SmoothMirror::panels_reached(const WindowPart& /*part*/) const {
-  std::vector<std::size_t> all(world_.panels.size());
-  for (std::size_t p = 0; p < all.size(); ++p) all[p] = p;
-  return all;
-}
-
-RegionBorder SmoothMirror::reflecting(const RegionBorder& polygon, const WindowPart& part, std::size_t panel,
-                                      ReflectionStatistics& statistics) {
-  std::vector<PanelFace>& faces = faces_of(panel);
-  if (faces.empty()) return {};
-  Search search{polygon, PolygonOutline(polygon), faces, {}, statistics};
-  for (const Square& square : squares_around(part)) divide(square, region(square, search), 0, search);
-  return common_part(polygon, without_seams(std::move(search.border)));
-}
-
-// Returns the window's squares of the smallest size that is at least the part's: two of them reach beyond it in each
-// direction.
-std::vector<SmoothMirror::Square> SmoothMirror::squares_around(const WindowPart& part) const {
-  const std::int64_t window = std::int64_t{1} << scene_.grid_bits;
-  const double extent = std::ldexp(std::max(part.right - part.left, part.top - part.bottom), scene_.grid_bits);
-  std::int64_t size = smallest_size(scene_.grid_bits);
-  while (size < window && static_cast<double>(size) < extent) size *= 2;
-  std::vector<Square> squares;
-  const auto first = [&](double low) {
-    const auto at = static_cast<std::int64_t>(std::floor(std::ldexp(low, scene_.grid_bits))) + window;
-    return std::clamp(at / size * size - window, -window, window - size);
-  };
-  const std::int64_t left = first(part.left);
-  const std::int64_t bottom = first(part.bottom);
-  const auto end = [&](std::int64_t low) { return std::min(low + 2 * size, window); };
-  for (std::int64_t y = bottom; y < end(bottom); y += size) {
-    for (std::int64_t x = left; x < end(left); x += size) {
-      squares.push_back({{x, y}, size});
+SmoothMirror::Reflecting SmoothMirror::reflecting(const RegionBorder& polygon, std::size_t panel,
+                                                  const CellPrecision& precision, CellResult wanted,
+                                                  ReflectionStatistics& statistics) const {
+  Reflecting result;
+  const PolygonOutline outline(polygon);
+  const double area = area_of(polygon);
+  RegionBorder found;
+  bool is_whole = false;
+  std::vector<LitCell> covers;
+  for (const SmoothPatch& patch : patches_) {
+    for (const PanelSide& side : sides_of(panel)) {
+      LitCells cells(outline, precision, wanted, scene_.grid_bits);
+      bool is_lit = patches_.size() == 1;
+      for (const ImageTriangle& cover : patch.covers) {
+        LitCell cell = cell_of(patch, cover, side, statistics);
+        is_lit = is_lit && !cell.images.empty();
+        if (cell.images.empty()) continue;
+        covers.push_back(cell);
+        cells.look_at(std::move(cell));
+      }
+      statistics.pyramids += cells.cell_count();
+      statistics.blocked += cells.shadow_count();
+      is_whole = is_whole || (is_lit && cells.is_all_lit());
+      result.uncertain_area += cells.uncertain_area();
+      result.distance = std::max(result.distance, cells.distance());
+      result.uncertain_cells += cells.uncertain_count();
+      result.area += cells.estimated_area();
+      const RegionBorder part = inside_half_planes(without_seams(cells.border()), patch, scene_.grid_bits);
+      found.insert(found.end(), part.begin(), part.end());
     }
   }
-  return squares;
+  result.uncertain_area = std::min(result.uncertain_area, area);
+  result.area = is_whole ? area : std::min(result.area, area);
+  if (wanted == CellResult::measure) return result;
+  result.area = 0;
+  if (found.empty()) return result;
+  result.border = is_whole ? polygon : common_part(polygon, without_seams(std::move(found)));
+  result.area = area_of(result.border);
+  if (has_witness(result.border, covers)) return result;
+  result.uncertain_area = std::max(result.uncertain_area, result.area);
+  result.border.clear();
+  result.area = 0;
+  return result;
 }
 
-void SmoothMirror::divide(const Square& square, const CellRegion& coarse, int divisions, Search& search) const {
-  if (coarse.is_outside) return;
-  const std::int64_t half = square.size / 2;
-  std::array<CellRegion, 4> parts;
-  const auto lows = quarters(square.low, half);
-  double fine = 0;
-  bool is_known = coarse.is_known;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    parts[i] = region({lows[i], half}, search);
-    fine += parts[i].area;
-    is_known = is_known && parts[i].is_known;
-  }
-  const double whole = static_cast<double>(square.size) * static_cast<double>(square.size);
-  const double change = is_known ? std::fabs(fine - coarse.area) : whole;
-  const bool may_divide = divisions < most_divisions && half > smallest_size(scene_.grid_bits);
-  if (may_divide && (divisions < fewest_divisions || change > world_.options.tolerance * whole)) {
-    for (std::size_t i = 0; i < parts.size(); ++i) divide({lows[i], half}, parts[i], divisions + 1, search);
-    return;
-  }
-  for (const CellRegion& region : parts) append(search.border, region.border);
-  search.statistics.looked_area += std::ldexp(whole, -2 * scene_.grid_bits);
-  search.statistics.changed_area += std::ldexp(change, -2 * scene_.grid_bits);
+std::vector<SmoothMirror::PanelSide> SmoothMirror::sides_of(std::size_t panel) const {
+  std::vector<PanelSide> sides{{panel, true}};
+  if (world_.panels[panel].emits == Emits::both) sides.push_back({panel, false});
+  return sides;
 }
 
-SmoothMirror::CellRegion SmoothMirror::region(const Square& square, Search& search) const {
-  CellRegion region;
-  const SquarePlace place = search.outline.place_of(square.low, square.size);
-  region.is_outside = place == SquarePlace::outside;
-  if (region.is_outside) return region;
-  ++search.statistics.pyramids;
-  const MirrorCell cell(square.low, square.size, rays_, search.outline, scene_.grid_bits);
-  region.is_known = cell.is_known();
-  if (!region.is_known) return region;
-  for (PanelFace& face : search.faces) append(region.border, reflected_in(cell, face, search.statistics));
-  if (place == SquarePlace::across && !region.border.empty())
-    region.border = common_part(search.polygon, region.border);
-  region.area = area_of(region.border);
-  return region;
+// There are no images where no ray meets this side of the panel.
+LitCell SmoothMirror::cell_of(const SmoothPatch& patch, const ImageTriangle& cover, const PanelSide& side,
+                              ReflectionStatistics& statistics) const {
+  const BentMirror mirror(scene_.camera, world_.scale, patch.triangle, in_window(cover, scene_.grid_bits));
+  const RayBeam beam = mirror.beam();
+  const Box& box = world_.panel_boxes[side.panel];
+  LitCell cell{cover, {}, {}};
+  if (!beam.may_reach({world_.scale * box.low, world_.scale * box.high})) return cell;
+  add_images(mirror, side, cell.images);
+  if (!cell.images.empty()) cell.shadows = shadows(mirror, beam, side, statistics);
+  return cell;
 }
 
-RegionBorder SmoothMirror::reflected_in(const MirrorCell& cell, PanelFace& face,
-                                        ReflectionStatistics& statistics) const {
-  std::array<Cover, MirrorCell::halves> images;
-  bool is_empty = true;
-  for (std::size_t half = 0; half < images.size(); ++half) {
-    for (const SpacePolygon& part : face.parts) images[half].add(cell.reflecting(half, part, face.side));
-    is_empty = is_empty && images[half].polygons.empty();
+void SmoothMirror::add_images(const BentMirror& mirror, const PanelSide& side, std::vector<ConvexPart>& images) const {
+  const CutMesh& mesh = world_.panel_meshes[side.panel];
+  for (std::size_t f = 0; f < mesh.facet_count(); ++f) {
+    Collector collector;
+    if (add_meeting(mirror, mesh, facet_side(world_, mesh, UncutFacetId(f), side.panel, side.from_front), collector) &&
+        collector.add(mirror.rises()))
+      images.push_back(collector.take());
   }
-  RegionBorder border;
-  if (is_empty) return border;
-  const std::vector<const SpacePolygon*> obstacles = obstacles_before(cell, face, statistics);
-  for (std::size_t half = 0; half < images.size(); ++half) {
-    if (images[half].polygons.empty()) continue;
-    Cover shadow;
-    for (const SpacePolygon* obstacle : obstacles) {
-      shadow.add(cell.reflecting(half, *obstacle, PolygonSide::front));
-      shadow.add(cell.reflecting(half, *obstacle, PolygonSide::back));
-    }
-    statistics.blocked += shadow.polygons.empty() ? 0 : 1;
-    append(border, lit_part(cell.half(half), images[half], shadow, scene_.grid_bits));
-  }
-  return border;
 }
 
-std::vector<const SmoothMirror::SpacePolygon*> SmoothMirror::obstacles_before(const MirrorCell& cell, PanelFace& face,
-                                                                              ReflectionStatistics& statistics) const {
+std::vector<ConvexPart> SmoothMirror::shadows(const BentMirror& mirror, const RayBeam& beam, const PanelSide& panel,
+                                              ReflectionStatistics& statistics) const {
+  const FacetSide emitting =
+      facet_side(world_, world_.panel_meshes[panel.panel], UncutFacetId(0), panel.panel, panel.from_front);
+  std::vector<Point3> panel_corners;
+  for (const Point3& corner : world_.panels[panel.panel].corners) panel_corners.push_back(world_.scale * corner);
+  const RayBeam to_panel = mirror.beam_to(panel_corners);
   const auto may_reach = [&](const Box& box) {
     const Box scaled{world_.scale * box.low, world_.scale * box.high};
-    return plane_form_.highest(scaled) > 0 && cell.may_reach(scaled);
+    return beam.may_reach(scaled) && to_panel.may_reach(scaled);
   };
-  std::vector<const SpacePolygon*> result;
-  const auto add = [&](const CutMesh& mesh, std::size_t number, UncutFacetId uncut) {
+  std::vector<ConvexPart> result;
+  const auto add = [&](const CutMesh& mesh, std::size_t object, UncutFacetId facet) {
+    if (!is_in_the_way(mesh, facet, panel)) return;
     ++statistics.obstacles;
-    const SpacePolygon& obstacle = part_before(face, mesh, number, uncut);
-    if (!obstacle.empty()) result.push_back(&obstacle);
+    for (const bool from_front : {true, false}) {
+      const FacetSide side = facet_side(world_, mesh, facet, object, from_front);
+      Collector collector;
+      if (add_meeting(mirror, mesh, side, collector) && collector.add(mirror.meets_before(side.plane, emitting.plane)))
+        result.push_back(collector.take());
+    }
   };
-  for (const UncutFacetId uncut : world_.obstacles.in(may_reach)) add(*world_.surface, world_.panels.size(), uncut);
+  for (const UncutFacetId facet : world_.obstacles.in(may_reach)) add(*world_.surface, world_.panels.size(), facet);
   for (std::size_t p = 0; p < world_.panels.size(); ++p) {
-    if (p == face.panel || !may_reach(world_.panel_boxes[p])) continue;
+    if (p == panel.panel || !may_reach(world_.panel_boxes[p])) continue;
     const CutMesh& mesh = world_.panel_meshes[p];
     for (std::size_t f = 0; f < mesh.facet_count(); ++f) add(mesh, p, UncutFacetId(f));
   }
-  return result;
-}
-
-// There are none where the panel has nothing before the mirror.
-std::vector<SmoothMirror::PanelFace>& SmoothMirror::faces_of(std::size_t panel) {
-  const auto [found, is_new] = faces_.try_emplace(panel);
-  std::vector<PanelFace>& faces = found->second;
-  if (!is_new) return faces;
-  std::vector<SpacePolygon> parts;
-  const CutMesh& mesh = world_.panel_meshes[panel];
-  for (std::size_t f = 0; f < mesh.facet_count(); ++f) {
-    SpacePolygon part = scaled(part_in_front(uncut_polygon(mesh, UncutFacetId(f)), exact_plane_));
-    if (!part.empty()) parts.push_back(std::move(part));
+  for (const std::size_t p : world_.panels_over[panel.panel]) {
+    add_images(mirror, {p, true}, result);
+    add_images(mirror, {p, false}, result);
   }
-  if (parts.empty()) return faces;
-  const ExactPlane& plane = world_.panel_planes[panel];
-  faces.push_back({panel, PolygonSide::front, plane, parts, {}});
-  if (world_.panels[panel].emits == Emits::both)
-    faces.push_back({panel, PolygonSide::back, plane.turned(), std::move(parts), {}});
-  return faces;
-}
-
-const SmoothMirror::SpacePolygon& SmoothMirror::part_before(PanelFace& face, const CutMesh& mesh, std::size_t number,
-                                                            UncutFacetId uncut) const {
-  const auto [found, is_new] = face.obstacles.try_emplace({number, uncut});
-  if (is_new)
-    found->second = scaled(part_in_front(part_in_front(uncut_polygon(mesh, uncut), exact_plane_), face.plane));
-  return found->second;
-}
-
-SmoothMirror::SpacePolygon SmoothMirror::scaled(const CutPolygon& polygon) const {
-  SpacePolygon result;
-  for (const CutCorner& corner : polygon) result.push_back(world_.scale * corner.position.rounded());
   return result;
+}
+
+// Some corner is above the mirror's plane, and some, perhaps another, before the panel's emitting side.
+bool SmoothMirror::is_in_the_way(const CutMesh& mesh, UncutFacetId facet, const PanelSide& side) const {
+  const auto has_corner_before = [&](const std::array<Point3, 3>& plane) {
+    return std::ranges::any_of(mesh.uncut_corners(facet), [&](VertexId v) {
+      return orient3d(plane[0], plane[1], plane[2], mesh.position(v)) > 0;
+    });
+  };
+  std::array<Point3, 3> emitting = plane_points(world_.panel_meshes[side.panel], FacetId(0));
+  if (!side.from_front) std::swap(emitting[1], emitting[2]);
+  return has_corner_before(plane_) && has_corner_before(emitting);
 }
 
 }  // namespace sightline::inline reflect

@@ -1,26 +1,23 @@
 // One surface as a bent mirror: what of its visible polygons reflects a panel, with interpolated vertex normals.
 //
-// In:  a surface in view, its visible polygons, a world with normals.
-// Out: per visible polygon and panel the border of the part that mirrors the panel into the camera, up to the world's
-//      tolerance: a model of the smooth surface that the mesh stands for. A flat mirror's is that of mirror.h, but for
-//      rounding.
-// Method: squares of the image that the polygon reaches, halved until dividing them once more changes the area of the
-//      polygon that reflects in them by no more than the tolerance (a share of their own area). In each, rays are
-//      traced at its corners, and what they do is taken as linear in between (mirror_cell.h): what meets the panel is
-//      cut out, and so is what obstacles before it hide. A ray starts on the flat face, and what does not rise from it
-//      is blocked by it.
-// Floating point, but for putting the parts together, which is exact (overlay.h): whatever the rounding, the borders
+// In:  a surface in view, its visible polygons, a world with normals; how much may stay uncertain.
+// Out: per visible polygon and panel the border of the part that mirrors the panel into the camera: a model of the smooth surface
+//      that the mesh stands for. A flat mirror's is that of mirror.h, but for rounding. With it comes how much of it may be
+//      wrong: a bound, as all that is approximate has one (lit_cells.h). Where no ray is known to meet the panel, nothing is lit.
+// Method: what a mirrored ray meets is told by signs of polynomials (bent_mirror.h). A ray starts on the flat face, and what does
+//      not rise from it is blocked by it; so what has no corner above the face's plane, exactly, is in no ray's way.
+// Floating point with bounds, but for putting the parts together, which is exact (overlay.h): whatever the rounding, the borders
 // are those of a part of the polygon.
-// Complexity: O(1) per square and panel, and obstacle in its way.
+// Complexity: O(1) per panel and obstacle in the way of the surface's rays, then that of lit_cells.h.
 // Source: Koucky 2014, 3.9 (vertex normals). He has a yes or no per triangle; cutting within it is this project's.
+// Rejected: squares of the image, with rays at their corners taken as linear in between, halved until that changed little.
+//      It could not say what it missed: faces narrower than a square, and obstacles that rounding put a last bit in front of the
+//      mirror, whose shadows were noise and were divided without end.
 #pragma once
 
-#include <map>
-
-#include "geometry/cutting/facet_cutter.h"
 #include "reflect/exact/pyramid.h"
-#include "reflect/regions/polygon_outline.h"
-#include "reflect/smooth/mirror_cell.h"
+#include "reflect/smooth/lit_cells.h"
+#include "reflect/smooth/smooth_patches.h"
 #include "reflect/world/mirror_world.h"
 
 namespace sightline::inline reflect {
@@ -29,65 +26,41 @@ class SmoothMirror {
  public:
   SmoothMirror(const MirrorWorld& world, const ProjectedScene& scene, FacetId surface);
 
-  // Returns the panels that may be reflected: all of them.
-  [[nodiscard]] std::vector<std::size_t> panels_reached(const WindowPart& part) const;
+  struct Reflecting {
+    RegionBorder border;
+    double area = 0;            // in spacings of the grid, squared
+    double uncertain_area = 0;  // of it and of what may be missing
+    double distance = 0;        // of a border from where it should be, in spacings
+    std::uint64_t uncertain_cells = 0;
+  };
 
-  // `polygon` is the border of one of the surface's visible polygons, `part` a rectangle around it.
-  [[nodiscard]] RegionBorder reflecting(const RegionBorder& polygon, const WindowPart& part, std::size_t panel,
-                                        ReflectionStatistics& statistics);
+  // `polygon` is the border of one of the surface's visible polygons. Where only a measure is wanted there is no border, and the
+  // area is an estimate.
+  [[nodiscard]] Reflecting reflecting(const RegionBorder& polygon, std::size_t panel, const CellPrecision& precision,
+                                      CellResult wanted, ReflectionStatistics& statistics) const;
 
  private:
-  struct Square {
-    ImagePoint low;
-    std::int64_t size = 0;
-  };
-  struct CellRegion {
-    RegionBorder border;
-    double area = 0;  // in grid units squared
-    bool is_known = true;
-    bool is_outside = false;  // no part of the polygon is here
-  };
-  using SpacePolygon = std::vector<Point3>;
-
-  // This is one emitting side of a panel, with what has been found to be in its way.
-  struct PanelFace {
+  // One emitting side of a panel.
+  struct PanelSide {
     std::size_t panel = 0;
-    PolygonSide side = PolygonSide::front;
-    ExactPlane plane;                 // with the emitting side in front
-    std::vector<SpacePolygon> parts;  // what of it is before the mirror
-    // Each obstacle has what of it is before the mirror and the panel. It is named by the number of its panel, or by
-    // that behind the last one for the surface.
-    std::map<std::pair<std::size_t, UncutFacetId>, SpacePolygon> obstacles;
+    bool from_front = true;
   };
 
-  // A search is for one polygon and panel.
-  struct Search {
-    const RegionBorder& polygon;
-    const PolygonOutline outline;
-    std::vector<PanelFace>& faces;
-    RegionBorder border;  // of what has been found
-    ReflectionStatistics& statistics;
-  };
-
-  [[nodiscard]] std::vector<Square> squares_around(const WindowPart& part) const;
-  void divide(const Square& square, const CellRegion& coarse, int divisions, Search& search) const;
-  [[nodiscard]] CellRegion region(const Square& square, Search& search) const;
-  [[nodiscard]] RegionBorder reflected_in(const MirrorCell& cell, PanelFace& face,
-                                          ReflectionStatistics& statistics) const;
-  [[nodiscard]] std::vector<const SpacePolygon*> obstacles_before(const MirrorCell& cell, PanelFace& face,
-                                                                  ReflectionStatistics& statistics) const;
-  [[nodiscard]] std::vector<PanelFace>& faces_of(std::size_t panel);
-  [[nodiscard]] const SpacePolygon& part_before(PanelFace& face, const CutMesh& mesh, std::size_t number,
-                                                UncutFacetId uncut) const;
-  [[nodiscard]] SpacePolygon scaled(const CutPolygon& polygon) const;
+  [[nodiscard]] std::vector<PanelSide> sides_of(std::size_t panel) const;
+  [[nodiscard]] LitCell cell_of(const SmoothPatch& patch, const ImageTriangle& cover, const PanelSide& side,
+                                ReflectionStatistics& statistics) const;
+  void add_images(const BentMirror& mirror, const PanelSide& side, std::vector<ConvexPart>& images) const;
+  [[nodiscard]] std::vector<ConvexPart> shadows(const BentMirror& mirror, const RayBeam& beam, const PanelSide& panel,
+                                                ReflectionStatistics& statistics) const;
+  [[nodiscard]] bool is_in_the_way(const CutMesh& mesh, UncutFacetId facet, const PanelSide& side) const;
 
   const MirrorWorld& world_;
   const ProjectedScene& scene_;
-  ExactPlane exact_plane_;  // of the surface, with the eye in front
-  PlaneForm plane_form_;    // the same, scaled
-  ShadingNormals normals_;
-  SmoothRays rays_;
-  std::map<std::size_t, std::vector<PanelFace>> faces_;  // per panel, once for all polygons of the surface
+  std::array<Point3, 3> plane_;  // of the surface, seen counter-clockwise by the eye
+  std::vector<SmoothPatch> patches_;
 };
+
+// Closed rings that run counter-clockwise count positive.
+[[nodiscard]] double area_of(const RegionBorder& border);
 
 }  // namespace sightline::inline reflect

@@ -172,4 +172,39 @@ TEST_CASE("mode smooth: the same floor reflects as in mode exact, and the report
   CHECK(count(floor.text("view.svg"), "id=\"reflecting-left-") == smooth["panels"][0]["polygons"].get<std::size_t>());
 }
 
+TEST_CASE("normals that are not what they seem are warned of, and crease_angle_deg and means are read") {
+  TemporaryFolder folder;
+  const std::string corners = "v 0 0 0\nv 0 1 0\nv 1 1 0\nv 1 0 0\nv 0 0 2\nv 1 0 2\n";
+  const std::string normals = "vn 0 0 -1\nvn 0 -1 0\n";
+  static_cast<void>(folder.file("means.obj", corners + "f 1 2 3 4\nf 1 4 6 5\n"));
+  static_cast<void>(folder.file("flat.obj", corners + normals + "f 1//1 2//1 3//1 4//1\nf 1//2 4//2 6//2 5//2\n"));
+  static_cast<void>(folder.file("turned.obj", corners + "vn 0 0 1\nf 1//1 2//1 3//1 4//1\nf 1 4 6 5\n"));
+  const auto warnings = [&](const std::string& mesh, const std::string& reflection) {
+    const std::string scene = folder.file(
+        "scene.toml", "[mesh]\nfile = \"" + mesh +
+                          "\"\n[[camera]]\nname = \"c\"\neye = [3, -4, -2]\ntarget = [0, 0, 0]\nfov_y_deg = 40\n"
+                          "[[panel]]\nname = \"p\"\ncorners = [[1, -1, 4], [3, -1, 4], [3, 1, 4]]\n[reflection]\n" +
+                          reflection);
+    const RunResult run = run_sightline({"analyze", scene, "--json"});
+    CHECK(run.exit_code == 0);
+    return run.exit_code == 0 ? Json::parse(run.out)["warnings"].dump() : run.err;
+  };
+  const std::string smooth = "mode = \"smooth\"\n";
+  CHECK(warnings("flat.obj", smooth).find("those of its faces") != std::string::npos);
+  CHECK(warnings("turned.obj", smooth).find("at 4 corners, first of face 0") != std::string::npos);
+  CHECK(warnings("means.obj", smooth).find("up to 90 degrees (faces 0 and 1)") != std::string::npos);
+  CHECK(warnings("means.obj", smooth + "crease_angle_deg = 45\nmeans = \"plain\"\n") == "[]");
+  CHECK(warnings("flat.obj", "mode = \"exact\"\n") == "[]");
+  const auto refusal = [&](const std::string& reflection) {
+    const std::string scene = folder.file("bad.toml",
+                                          "[mesh]\nfile = \"flat.obj\"\n[[camera]]\nname = \"c\"\neye = [3, -4, -2]\n"
+                                          "target = [0, 0, 0]\nfov_y_deg = 40\n[reflection]\n" +
+                                              reflection);
+    return run_sightline({"analyze", scene, "--json"}).err;
+  };
+  CHECK(refusal("means = \"area\"\n").find("'means' is for modes that have vertex normals") != std::string::npos);
+  CHECK(refusal(smooth + "crease_angle_deg = 200\n").find("must be from 0 to 180") != std::string::npos);
+  CHECK(refusal(smooth + "means = \"angle\"\n").find("must be \"area\" or \"plain\"") != std::string::npos);
+}
+
 }  // namespace sightline::tests::cli_panels_test

@@ -116,7 +116,6 @@ struct Tally {
 };
 
 void compare(const BentScene& scene, const View& view, std::uint64_t rays, std::mt19937_64& random, Tally& tally) {
-  constexpr double far_from_border = 0.05;  // in the window [-1, 1]^2
   const auto coordinate = [&] { return std::ldexp(static_cast<double>(random() >> 11U), -52) - 1; };
   const lattice::MirrorRays oracle(scene.mesh, scene.panels, scene.camera, scene.normals);
   const std::array regions{ReflectingRegion(view, 0), ReflectingRegion(view, 1)};
@@ -129,7 +128,9 @@ void compare(const BentScene& scene, const View& view, std::uint64_t rays, std::
       const auto winding = region.winding(place);
       if (!winding || (*winding > 0) == (panel == p)) continue;
       ++tally.wrong;
-      tally.wrong_away_from_border += region.winding(place, far_from_border) ? 1 : 0;
+      // As the report says, and what a border is off by where it is rounded.
+      const double near = view.reflections.panels[static_cast<std::size_t>(p)].border_distance + 1e-9;
+      tally.wrong_away_from_border += region.winding(place, near) ? 1 : 0;
     }
   }
 }
@@ -211,8 +212,7 @@ TEST_CASE("dividing further changes less") {
   for (const double tolerance : {1e-1, 1e-2, 1e-3}) {
     CAPTURE(tolerance);
     const MirrorOutcome bent = reflected(field.mesh, panels, straight_down(2), smooth(tolerance), field.normals);
-    const ReflectionStatistics& statistics = bent.view.reflections.statistics;
-    const double reached = statistics.changed_area / statistics.looked_area;
+    const double reached = bent.view.reflections.panels[0].uncertain_area / image_area(bent.view, 0);
     CHECK(reached <= tolerance);
     CHECK(reached <= last);
     last = reached;
@@ -222,10 +222,10 @@ TEST_CASE("dividing further changes less") {
   CHECK(last < 1e-3);
 }
 
-TEST_CASE("rays meet the panels where the bent mirror says so, but for some near the region's border") {
+TEST_CASE("a million rays meet the panels where the bent mirror says so, but for some near the region's border") {
   constexpr std::uint64_t first_seed = 1;
-  const std::uint64_t scenes = lattice::scene_count(20);
-  constexpr std::uint64_t rays = 2000;
+  const std::uint64_t scenes = lattice::scene_count(40);
+  constexpr std::uint64_t rays = 25000;
   constexpr double tolerance = 1e-2;
   Tally tally;
   for (std::uint64_t seed = first_seed; seed < first_seed + scenes; ++seed) {
@@ -240,7 +240,7 @@ TEST_CASE("rays meet the panels where the bent mirror says so, but for some near
   const std::uint64_t all = scenes * rays;
   MESSAGE(all << " rays, " << tally.seen << " meet a panel, " << tally.wrong << " elsewhere than said; "
               << tally.blocked << " scenes with shadows");
-  CHECK(static_cast<double>(tally.wrong) <= tolerance * static_cast<double>(all));
+  CHECK(static_cast<double>(tally.wrong) <= 2 * tolerance * static_cast<double>(tally.seen));
   CHECK(tally.wrong_away_from_border == 0);
   // The generator made the hard cases.
   CHECK(20 * tally.seen >= all);

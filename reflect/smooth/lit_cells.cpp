@@ -1,0 +1,306 @@
+#include "reflect/smooth/lit_cells.h"
+
+#include <cmath>
+#include <limits>
+
+namespace sightline::inline reflect {
+namespace {
+
+double twice_area(const ImageTriangle& t) {
+  return static_cast<double>(t[1].x - t[0].x) * static_cast<double>(t[2].y - t[0].y) -
+         static_cast<double>(t[2].x - t[0].x) * static_cast<double>(t[1].y - t[0].y);
+}
+
+double length(const ImagePoint& p, const ImagePoint& q) {
+  return std::hypot(static_cast<double>(q.x - p.x), static_cast<double>(q.y - p.y));
+}
+
+double diameter(const ImageTriangle& t) {
+  return std::max({length(t[0], t[1]), length(t[1], t[2]), length(t[2], t[0])});
+}
+
+// Leaves out the conditions that hold. Returns false where one fails.
+bool narrow(ConvexPart& part) {
+  if (std::ranges::any_of(part, [](const auto& c) { return standing(c.condition) == Standing::fails; })) return false;
+  std::erase_if(part, [](const auto& c) { return standing(c.condition) == Standing::holds; });
+  return true;
+}
+
+// Returns false where nothing is lit for certain.
+bool narrow(LitCell& cell) {
+  std::erase_if(cell.images, [](ConvexPart& part) { return !narrow(part); });
+  if (cell.images.empty()) return false;
+  std::erase_if(cell.shadows, [](ConvexPart& part) { return !narrow(part); });
+  return std::ranges::none_of(cell.shadows, [](const ConvexPart& part) { return part.empty(); });
+}
+
+// How fast a linear function rises, per spacing.
+double slope(const ImageTriangle& t, const CornerValues& values) {
+  const double second = values[1] - values[0];
+  const double third = values[2] - values[0];
+  const auto dx = [&](std::size_t i) { return static_cast<double>(t[i].x - t[0].x); };
+  const auto dy = [&](std::size_t i) { return static_cast<double>(t[i].y - t[0].y); };
+  return std::hypot(second * dy(2) - third * dy(1), third * dx(1) - second * dx(2)) / twice_area(t);
+}
+
+// A part of a cell as linear functions have it, and how far each may be from what it stands for.
+struct LinearCondition {
+  CornerValues values;
+  double reach = 0;
+};
+using LinearConditions = boost::container::small_vector<LinearCondition, 8>;
+
+LinearConditions linear(const ConvexPart& part) {
+  LinearConditions result;
+  for (const SeamedCondition& c : part)
+    result.push_back({c.condition.value.corners(), c.condition.value.departure() + c.condition.noise});
+  return result;
+}
+
+// Nothing beyond this is in the part.
+BarycentricPolygon outer_part(BarycentricPolygon polygon, const LinearConditions& conditions) {
+  for (const LinearCondition& c : conditions) polygon = part_above(polygon, c.values, -c.reach);
+  return polygon;
+}
+
+// All of the polygon is in the part.
+bool covers(const LinearConditions& conditions, const BarycentricPolygon& polygon) {
+  return std::ranges::all_of(conditions, [&](const LinearCondition& c) {
+    return std::ranges::all_of(polygon, [&](const Barycentric& p) { return value_at(c.values, p) > c.reach; });
+  });
+}
+
+CornerValues negative(const CornerValues& values) { return {-values[0], -values[1], -values[2]}; }
+
+// A place of the image, relative to a cell's first corner.
+Point2 place_in(const ImageTriangle& t, const Barycentric& p) {
+  const auto mean = [&](auto coordinate) { return p[1] * coordinate(1) + p[2] * coordinate(2); };
+  return {mean([&](std::size_t i) { return static_cast<double>(t[i].x - t[0].x); }),
+          mean([&](std::size_t i) { return static_cast<double>(t[i].y - t[0].y); })};
+}
+
+double distance_to_segment(const Point2& p, const Point2& a, const Point2& b) {
+  const double dx = b.x - a.x;
+  const double dy = b.y - a.y;
+  const double square = dx * dx + dy * dy;
+  const double along = square > 0 ? std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / square, 0.0, 1.0) : 0.0;
+  return std::hypot(p.x - a.x - along * dx, p.y - a.y - along * dy);
+}
+
+// How far a corner of a polygon is from another polygon, which is in it and convex.
+double farthest_from(const ImageTriangle& t, const BarycentricPolygon& polygon, const BarycentricPolygon& other) {
+  double farthest = 0;
+  for (const Barycentric& corner : polygon) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < other.size(); ++i)
+      nearest = std::min(nearest, distance_to_segment(place_in(t, corner), place_in(t, other[i]),
+                                                      place_in(t, other[i + 1 == other.size() ? 0 : i + 1])));
+    farthest = std::max(farthest, nearest);
+  }
+  return farthest;
+}
+
+// What may be uncertain of a part along the border of one of its conditions: a strip. What is in it and in the inner part is no
+// further from the condition's line than the strip is wide; from outside the inner part, which is convex, no place is further than
+// some corner.
+CellPrecision uncertainty_along(const ImageTriangle& corners, const BarycentricPolygon& outer,
+                                const BarycentricPolygon& inner, const LinearCondition& c) {
+  const BarycentricPolygon strip = part_above(outer, negative(c.values), -c.reach);
+  const double share = share_of(strip);
+  if (!(share > 0)) return {};
+  const double width = c.reach / slope(corners, c.values);
+  const double outside = farthest_from(corners, part_above(strip, negative(c.values), 0), inner);
+  return {share * twice_area(corners) / 2, std::min(diameter(corners), std::max(width, outside))};
+}
+
+// What is known of a cell without dividing it.
+class CellMeasure {
+ public:
+  // Leaves out of the cell what no image, or no shadow that meets one, can be of.
+  explicit CellMeasure(LitCell& cell) : corners_(cell.corners) {
+    BarycentricPolygon seen = keep_those_within(whole_triangle(), cell.images, images_);
+    is_dark_ = cell.images.empty();
+    if (is_dark_) return;
+    if (cell.images.size() > 1) seen = whole_triangle();
+    keep_those_within(seen, cell.shadows, shadows_);
+    is_dark_ = std::ranges::any_of(shadows_, [&](const Part& shadow) { return covers(shadow.conditions, seen); });
+    if (is_dark_) return;
+    add_borders(cell.images, images_);
+    add_borders(cell.shadows, shadows_);
+    uncertain_.area = std::min(uncertain_.area, twice_area(corners_) / 2);
+  }
+
+  [[nodiscard]] bool is_dark() const { return is_dark_; }
+  [[nodiscard]] const CellPrecision& uncertain() const { return uncertain_; }
+  // About so much is lit: the images less the shadows, as if none overlapped.
+  [[nodiscard]] double lit_share() const {
+    double share = 0;
+    for (const Part& image : images_) share += share_of(image.outer);
+    for (const Part& shadow : shadows_) share -= share_of(shadow.outer);
+    return std::clamp(share, 0.0, 1.0);
+  }
+
+ private:
+  struct Part {
+    LinearConditions conditions;
+    BarycentricPolygon outer;  // nothing beyond this is in the part
+    BarycentricPolygon inner;  // what the linear functions say
+  };
+
+  // Returns the outer part of the last one.
+  static BarycentricPolygon keep_those_within(const BarycentricPolygon& polygon, std::vector<ConvexPart>& parts,
+                                              std::vector<Part>& measured) {
+    std::erase_if(parts, [&](const ConvexPart& part) {
+      LinearConditions conditions = linear(part);
+      BarycentricPolygon outer = outer_part(polygon, conditions);
+      if (!(share_of(outer) > 0)) return true;
+      BarycentricPolygon inner = outer;
+      for (const LinearCondition& c : conditions) inner = part_above(inner, c.values, 0);
+      measured.push_back({std::move(conditions), std::move(outer), std::move(inner)});
+      return false;
+    });
+    return measured.empty() ? BarycentricPolygon{} : measured.back().outer;
+  }
+
+  // A seam of two parts is no border of both together.
+  void add_borders(const std::vector<ConvexPart>& parts, const std::vector<Part>& measured) {
+    std::vector<Seam> seams;
+    for (const ConvexPart& part : parts) {
+      for (const SeamedCondition& c : part) {
+        if (c.seam) seams.push_back(*c.seam);
+      }
+    }
+    std::ranges::sort(seams);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      for (std::size_t k = 0; k < parts[i].size(); ++k) {
+        const auto& seam = parts[i][k].seam;
+        if (seam && std::ranges::binary_search(seams, seam->from_beyond())) continue;
+        const CellPrecision more =
+            uncertainty_along(corners_, measured[i].outer, measured[i].inner, measured[i].conditions[k]);
+        uncertain_.area += more.area;
+        uncertain_.distance = std::max(uncertain_.distance, more.distance);
+      }
+    }
+  }
+
+  const ImageTriangle& corners_;
+  std::vector<Part> images_;
+  std::vector<Part> shadows_;
+  bool is_dark_ = false;
+  CellPrecision uncertain_;
+};
+
+std::optional<ImagePoint> middle(const ImagePoint& p, const ImagePoint& q) {
+  const std::int64_t x = p.x + q.x;
+  const std::int64_t y = p.y + q.y;
+  if (x % 2 != 0 || y % 2 != 0) return std::nullopt;
+  return ImagePoint{x / 2, y / 2};
+}
+
+std::array<ConvexPart, 2> halves(const ConvexPart& part) {
+  std::array<ConvexPart, 2> result;
+  for (const SeamedCondition& c : part) {
+    const std::array<Quartic, 2> values = c.condition.value.halves();
+    for (std::size_t i = 0; i < 2; ++i) result[i].push_back({{values[i], c.condition.noise}, c.seam});
+  }
+  return result;
+}
+
+std::optional<std::array<LitCell, 2>> halves(const LitCell& cell) {
+  const auto& [a, b, c] = cell.corners;
+  const std::optional<ImagePoint> m = middle(a, b);
+  if (!m) return std::nullopt;
+  std::array<LitCell, 2> result{LitCell{{c, a, *m}, {}, {}}, LitCell{{b, c, *m}, {}, {}}};
+  for (const auto parts : {&LitCell::images, &LitCell::shadows}) {
+    for (const ConvexPart& part : cell.*parts) {
+      auto [first, second] = halves(part);
+      (result[0].*parts).push_back(std::move(first));
+      (result[1].*parts).push_back(std::move(second));
+    }
+  }
+  return result;
+}
+
+std::vector<CornerValues> corner_values(const ConvexPart& part) {
+  std::vector<CornerValues> values;
+  for (const SeamedCondition& c : part) values.push_back(c.condition.value.corners());
+  return values;
+}
+
+}  // namespace
+
+bool is_lit_at(const LitCell& cell, const Point2& place) {
+  const Barycentric at = barycentric(cell.corners, place);
+  if (std::ranges::min(at) < 0) return false;
+  const auto holds = [&](const SeamedCondition& c) { return c.condition.value.at(at) > c.condition.noise; };
+  const auto fails = [&](const SeamedCondition& c) { return c.condition.value.at(at) < -c.condition.noise; };
+  return std::ranges::any_of(cell.images, [&](const ConvexPart& image) { return std::ranges::all_of(image, holds); }) &&
+         std::ranges::all_of(cell.shadows,
+                             [&](const ConvexPart& shadow) { return std::ranges::any_of(shadow, fails); });
+}
+
+Standing standing(const Condition& condition) {
+  if (condition.value.least() > condition.noise) return Standing::holds;
+  return condition.value.greatest() > condition.noise ? Standing::open : Standing::fails;
+}
+
+void LitCells::look_at(LitCell cell) {
+  if (is_outside(cell.corners)) return;
+  ++cell_count_;
+  const bool may_be_lit = narrow(cell);
+  const std::optional<CellMeasure> measure = may_be_lit ? std::optional<CellMeasure>(cell) : std::nullopt;
+  if (!measure || measure->is_dark()) {
+    has_dark_ = true;
+    return;
+  }
+  if (!is_precise(measure->uncertain())) {
+    if (auto parts = halves(cell)) {
+      for (LitCell& part : *parts) look_at(std::move(part));
+      return;
+    }
+  }
+  keep(cell, measure->uncertain(), measure->lit_share());
+}
+
+bool LitCells::is_outside(const ImageTriangle& t) const {
+  const auto [left, right] = std::minmax({t[0].x, t[1].x, t[2].x});
+  const auto [bottom, top] = std::minmax({t[0].y, t[1].y, t[2].y});
+  return outline_.place_of({left, bottom}, std::max(right - left, top - bottom)) == SquarePlace::outside;
+}
+
+void LitCells::keep(const LitCell& cell, const CellPrecision& uncertain, double lit_share) {
+  shadow_count_ += cell.shadows.empty() ? 0 : 1;
+  uncertain_area_ += uncertain.area;
+  uncertain_count_ += uncertain.area > 0 ? 1 : 0;
+  distance_ = std::max(distance_, uncertain.distance);
+  estimated_area_ += lit_share * twice_area(cell.corners) / 2;
+  const bool is_lit =
+      cell.shadows.empty() && std::ranges::any_of(cell.images, [](const ConvexPart& image) { return image.empty(); });
+  has_dark_ = has_dark_ || !is_lit;
+  if (wanted_ == CellResult::measure) return;
+  const RegionBorder lit = lit_border(cell);
+  border_.insert(border_.end(), lit.begin(), lit.end());
+}
+
+RegionBorder LitCells::lit_border(const LitCell& cell) const {
+  const std::vector<ImagePolygon> triangle{ImagePolygon(cell.corners.begin(), cell.corners.end())};
+  std::vector<ImagePolygon> images;
+  std::vector<ImagePolygon> shadows;
+  bool is_whole = false;
+  for (const ConvexPart& image : cell.images) {
+    LinearPart part = linear_part(cell.corners, corner_values(image), grid_bits_);
+    is_whole = is_whole || part.is_whole;
+    if (!part.polygon.empty()) images.push_back(std::move(part.polygon));
+  }
+  for (const ConvexPart& shadow : cell.shadows) {
+    LinearPart part = linear_part(cell.corners, corner_values(shadow), grid_bits_);
+    if (part.is_whole) return {};
+    if (!part.polygon.empty()) shadows.push_back(std::move(part.polygon));
+  }
+  if (images.empty()) return {};
+  RegionBorder border = lit_region(triangle, {}, grid_bits_);
+  if (is_whole && shadows.empty()) return border;
+  return common_part(border, lit_region(images, shadows, grid_bits_));
+}
+
+}  // namespace sightline::inline reflect

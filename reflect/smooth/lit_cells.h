@@ -1,0 +1,108 @@
+// Which part of a triangle of the image mirrors a panel: by dividing it until each cell's border is known well enough.
+//
+// In:  a triangle with what may be seen of the panel in it, and shadows of what is before the panel: each where a set of conditions
+//      holds (bent_mirror.h); the polygon of the image that is looked at; how much may stay uncertain.
+// Out: the border of what is lit, cell by cell; how much of the area may be wrong, and how far its border may be from where it
+//      should be. Both are bounds: where coefficients have one sign, nothing is uncertain; else a condition is taken as linear, and
+//      what it departs from that by is a strip along its border, as is noise.
+// Method: a condition that holds in a cell is no more asked in its parts, and what contradicts one is left out. Cells are halved
+//      at their older side (newest-vertex bisection), whose middle is a grid point as long as it divides.
+//      A condition that is noise everywhere in a cell, as that of a ray along the plane of an obstacle, does not hold.
+// Complexity: O(k) per cell for k conditions that are open there; overlay.h's where the border is.
+// Source: Farin 1986 (Bernstein's basis); Sewell 1972, Mitchell 1989 (newest-vertex bisection).
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "reflect/regions/polygon_outline.h"
+#include "reflect/smooth/bent_mirror.h"
+#include "reflect/smooth/linear_part.h"
+
+namespace sightline::inline reflect {
+
+// An edge of a facet, as a ray meets the facet from one side. Where two facets share it, each on its own side of it, there is no border of both
+// together.
+struct Seam {
+  std::uint32_t object = 0;
+  bool from_front = true;
+  std::uint32_t start = 0;
+  std::uint32_t end = 0;
+  friend constexpr auto operator<=>(const Seam&, const Seam&) = default;
+
+  [[nodiscard]] constexpr Seam from_beyond() const { return {object, from_front, end, start}; }
+};
+
+struct SeamedCondition {
+  Condition condition;
+  std::optional<Seam> seam;
+};
+
+// All of the conditions hold there: those that are open; the others are settled.
+using ConvexPart = std::vector<SeamedCondition>;
+
+struct LitCell {
+  ImageTriangle corners;  // counter-clockwise; the first two have the older side between them
+  std::vector<ConvexPart> images;
+  std::vector<ConvexPart> shadows;
+};
+
+// In spacings of the grid: what area of a cell may stay uncertain, and how far its border may be from where it should be.
+struct CellPrecision {
+  double area = 0;
+  double distance = 0;
+};
+
+// Whether borders are wanted, or only how much is lit, about, and how well that is known.
+enum class CellResult : std::uint8_t { measure, border };
+
+class LitCells {
+ public:
+  LitCells(const PolygonOutline& outline, const CellPrecision& precision, CellResult wanted, int grid_bits)
+      : outline_(outline), precision_(precision), wanted_(wanted), grid_bits_(grid_bits) {}
+
+  void look_at(LitCell cell);
+
+  [[nodiscard]] const RegionBorder& border() const { return border_; }
+  [[nodiscard]] bool is_all_lit() const { return !has_dark_; }
+  [[nodiscard]] double uncertain_area() const { return uncertain_area_; }
+  // About so much is lit; beyond the polygon, too.
+  [[nodiscard]] double estimated_area() const { return estimated_area_; }
+  // So many cells have uncertain parts.
+  [[nodiscard]] std::uint64_t uncertain_count() const { return uncertain_count_; }
+  [[nodiscard]] double distance() const { return distance_; }
+  [[nodiscard]] std::uint64_t cell_count() const { return cell_count_; }
+  // In so many of the cells that are not divided further there are shadows.
+  [[nodiscard]] std::uint64_t shadow_count() const { return shadow_count_; }
+
+ private:
+  [[nodiscard]] bool is_outside(const ImageTriangle& t) const;
+  [[nodiscard]] bool is_precise(const CellPrecision& uncertain) const {
+    return uncertain.area <= precision_.area && uncertain.distance <= precision_.distance;
+  }
+  void keep(const LitCell& cell, const CellPrecision& uncertain, double lit_share);
+  [[nodiscard]] RegionBorder lit_border(const LitCell& cell) const;
+
+  const PolygonOutline& outline_;
+  CellPrecision precision_;
+  CellResult wanted_;
+  int grid_bits_;
+  RegionBorder border_;
+  bool has_dark_ = false;
+  double uncertain_area_ = 0;
+  double estimated_area_ = 0;
+  std::uint64_t uncertain_count_ = 0;
+  double distance_ = 0;
+  std::uint64_t cell_count_ = 0;
+  std::uint64_t shadow_count_ = 0;
+};
+
+// Returns whether a place of the cell is lit for certain.
+[[nodiscard]] bool is_lit_at(const LitCell& cell, const Point2& place);
+
+// Says of a condition what its coefficients say of all of the triangle.
+enum class Standing : std::uint8_t { holds, fails, open };
+[[nodiscard]] Standing standing(const Condition& condition);
+
+}  // namespace sightline::inline reflect
