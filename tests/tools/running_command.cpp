@@ -20,7 +20,24 @@ void apply(const ProcessLimits& limits) {
   const rlimit file_size{limits.file_size, limits.file_size};
   if (setrlimit(RLIMIT_FSIZE, &file_size) != 0) _exit(126);
   std::signal(SIGINT, limits.ignores_interrupts ? SIG_IGN : SIG_DFL);
+  std::signal(SIGTERM, SIG_DFL);
 }
+
+// Signals wait as long as this lives: the tests' own handlers are the child's, too, until it has its own.
+class SignalsHeld {
+ public:
+  SignalsHeld() {
+    sigset_t all;
+    sigfillset(&all);
+    sigprocmask(SIG_SETMASK, &all, &before_);
+  }
+  SignalsHeld(const SignalsHeld&) = delete;
+  SignalsHeld& operator=(const SignalsHeld&) = delete;
+  ~SignalsHeld() { sigprocmask(SIG_SETMASK, &before_, nullptr); }
+
+ private:
+  sigset_t before_{};
+};
 
 [[noreturn]] void execute(const std::vector<std::string>& arguments) {
   std::vector<char*> words{const_cast<char*>(SIGHTLINE_COMMAND)};
@@ -41,12 +58,16 @@ double seconds_of(const timeval& time) {
 }  // namespace
 
 RunningCommand::RunningCommand(const std::vector<std::string>& arguments, const ProcessLimits& limits)
-    : start_(std::chrono::steady_clock::now()), process_(fork()) {
-  if (process_ < 0) throw std::runtime_error("no new process");
-  if (process_ > 0) return;
-  redirect(folder_.path() / "out", STDOUT_FILENO);
-  redirect(folder_.path() / "err", STDERR_FILENO);
-  apply(limits);
+    : start_(std::chrono::steady_clock::now()) {
+  {
+    const SignalsHeld held;
+    process_ = fork();
+    if (process_ < 0) throw std::runtime_error("no new process");
+    if (process_ > 0) return;
+    redirect(folder_.path() / "out", STDOUT_FILENO);
+    redirect(folder_.path() / "err", STDERR_FILENO);
+    apply(limits);
+  }
   execute(arguments);
 }
 
