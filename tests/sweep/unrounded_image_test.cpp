@@ -73,8 +73,9 @@ class TierCheck {
     const ExactPlace exact = image_.exact(p);
     for (const CertifiedPlace& place : {image_.filtered_place(p), image_.certified(p)}) {
       if (!std::isfinite(place.radius)) continue;
-      const auto off = [&](double approximate, const BigInteger& numerator) {
-        return boost::multiprecision::abs(Rational(approximate) - Rational(numerator, exact.w));
+      const auto off = [&](double approximate, const BigInteger& numerator) -> Rational {
+        const Rational difference = Rational(approximate) - Rational(numerator, exact.w);
+        return difference < 0 ? Rational(-difference) : difference;
       };
       CHECK(off(place.x, exact.x) <= Rational(place.radius));
       CHECK(off(place.y, exact.y) <= Rational(place.radius));
