@@ -16,32 +16,13 @@
 #include <numbers>
 #include <string>
 
+#include "bench/measuring/least_seconds.h"
 #include "bench/measuring/markdown_table.h"
-#include "cli/system/resources.h"
 #include "formats/reading/obj_reader.h"
 #include "sightline/analyzer.h"
 
 namespace sightline::bench {
 namespace {
-
-constexpr int runs = 3;
-
-std::string number(const char* format, double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), format, value);
-  return text.data();
-}
-
-template <class Work>
-double least_seconds(Work work) {
-  double least = std::numeric_limits<double>::infinity();
-  for (int run = 0; run < runs; ++run) {
-    const cli::ProcessorTime watch;
-    work();
-    least = std::min(least, watch.seconds());
-  }
-  return least;
-}
 
 struct Body {
   std::string name;
@@ -92,7 +73,7 @@ struct Look {
   Panel panel;
 };
 
-// From the front and above; the panel to the left, a third of the body's size.
+// From the front and above; the panel to the left, three quarters as wide as the body's diagonal.
 Look look_at(const Mesh& mesh) {
   Vector3 low = Vector3::Constant(std::numeric_limits<double>::infinity());
   Vector3 high = -low;

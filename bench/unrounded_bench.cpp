@@ -13,10 +13,10 @@
 #include <limits>
 #include <string>
 
+#include "bench/measuring/least_seconds.h"
 #include "bench/measuring/markdown_table.h"
 #include "bench/scenes/crossing_meshes.h"
 #include "bench/scenes/generated_scenes.h"
-#include "cli/system/resources.h"
 #include "formats/reading/obj_reader.h"
 #include "geometry/cutting/common_lines.h"
 #include "geometry/cutting/interpenetration.h"
@@ -28,31 +28,12 @@
 namespace sightline::bench {
 namespace {
 
-constexpr int runs = 3;
-
 struct Scene {
   std::string name;
   Mesh mesh;
   Camera camera;
   Sides sides = Sides::both;
 };
-
-template <class Work>
-double least_seconds(Work work) {
-  double least = std::numeric_limits<double>::infinity();
-  for (int run = 0; run < runs; ++run) {
-    const cli::ProcessorTime watch;
-    work();
-    least = std::min(least, watch.seconds());
-  }
-  return least;
-}
-
-std::string number(const char* format, double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), format, value);
-  return text.data();
-}
 
 // From the mesh to the labelled surface, as the command does it.
 struct ViewTimes {

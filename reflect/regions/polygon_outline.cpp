@@ -19,10 +19,6 @@ double PolygonOutline::Side::left_of(const Point2& p) const {
 PolygonOutline::PolygonOutline(const RegionBorder& border) {
   for (const BorderSegment& segment : border)
     sides_.push_back({{segment.start.at.x, segment.start.at.y}, {segment.end.at.x, segment.end.at.y}});
-  const bool is_convex = std::ranges::all_of(sides_, [this](const Side& side) {
-    return std::ranges::all_of(sides_, [&](const Side& other) { return side.left_of(other.start) >= -margin; });
-  });
-  if (is_convex) bounds_ = sides_;
 }
 
 SquarePlace PolygonOutline::place_of(const ImagePoint& low, std::int64_t size) const {

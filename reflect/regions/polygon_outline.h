@@ -28,14 +28,10 @@ class PolygonOutline {
     [[nodiscard]] double left_of(const Point2& p) const;
   };
 
-  // A convex polygon is bounded by its sides, lines that have it to their left; any other has none here.
-  [[nodiscard]] const std::vector<Side>& bounds() const { return bounds_; }
-
  private:
   [[nodiscard]] int winding(const Point2& p) const;
 
   std::vector<Side> sides_;
-  std::vector<Side> bounds_;
 };
 
 }  // namespace sightline::inline reflect

@@ -27,15 +27,8 @@ ShadingNormals::ShadingNormals(const CutMesh& mesh, const std::vector<Vector3>& 
   const std::array<Point3, 3> plane = plane_points(mesh, surface);
   scale_ = unit_scale(plane);
   plane_normal_ = unit((scale_ * plane[1] - scale_ * plane[0]).cross(scale_ * plane[2] - scale_ * plane[0]));
-  UncutFacetId last;
-  for (std::size_t f = surface.index(); f < end_of_surface(mesh, surface).index(); ++f) {
-    const UncutFacetId uncut = mesh.uncut_facet(FacetId(f));
-    if (uncut == last) continue;
-    last = uncut;
-    const auto corners = mesh.uncut_corners(uncut);
-    for (std::size_t i = 1; i + 1 < corners.size(); ++i)
-      add(mesh, vertex_normals, mesh.facet_face[f], {corners[0], corners[i], corners[i + 1]});
-  }
+  for (const auto& corners : fans_of(mesh, surface))
+    add(mesh, vertex_normals, mesh.facet_face[surface.index()], corners);
 }
 
 void ShadingNormals::add(const CutMesh& mesh, const std::vector<Vector3>& vertex_normals, FaceId face,

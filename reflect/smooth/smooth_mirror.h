@@ -15,7 +15,6 @@
 //      mirror, whose shadows were noise and were divided without end.
 #pragma once
 
-#include "reflect/exact/pyramid.h"
 #include "reflect/smooth/lit_cells.h"
 #include "reflect/smooth/smooth_patches.h"
 #include "reflect/world/mirror_world.h"

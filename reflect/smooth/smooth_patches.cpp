@@ -12,19 +12,6 @@ namespace {
 
 using Corners = std::array<VertexId, 3>;
 
-std::vector<Corners> triangles_of(const CutMesh& mesh, FacetId surface) {
-  std::vector<Corners> triangles;
-  UncutFacetId last;
-  for (std::size_t f = surface.index(); f < end_of_surface(mesh, surface).index(); ++f) {
-    const UncutFacetId uncut = mesh.uncut_facet(FacetId(f));
-    if (uncut == last) continue;
-    last = uncut;
-    const auto corners = mesh.uncut_corners(uncut);
-    for (std::size_t i = 1; i + 1 < corners.size(); ++i) triangles.push_back({corners[0], corners[i], corners[i + 1]});
-  }
-  return triangles;
-}
-
 Vector3 normal_of(const std::array<Point3, 3>& corners) {
   return (corners[1] - corners[0]).cross(corners[2] - corners[0]);
 }
@@ -213,7 +200,7 @@ SmoothPatch patch_of(const MirrorWorld& world, FaceId face, const Corners& corne
 
 std::vector<SmoothPatch> smooth_patches(const MirrorWorld& world, const ProjectedScene& scene, FacetId surface) {
   const CutMesh& mesh = *world.surface;
-  const std::vector<Corners> triangles = triangles_of(mesh, surface);
+  const std::vector<Corners> triangles = fans_of(mesh, surface);
   const GridView view(scene);
   std::array<Point3, 3> plane = plane_points(mesh, surface);
   for (Point3& p : plane) p *= world.scale;

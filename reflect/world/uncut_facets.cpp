@@ -25,4 +25,17 @@ ExactPlane plane_through(const std::array<Point3, 3>& points) {
   return plane_through(exact_position(points[0]), exact_position(points[1]), exact_position(points[2]));
 }
 
+std::vector<std::array<VertexId, 3>> fans_of(const CutMesh& mesh, FacetId surface) {
+  std::vector<std::array<VertexId, 3>> triangles;
+  UncutFacetId last;
+  for (std::size_t f = surface.index(); f < end_of_surface(mesh, surface).index(); ++f) {
+    const UncutFacetId uncut = mesh.uncut_facet(FacetId(f));
+    if (uncut == last) continue;
+    last = uncut;
+    const auto corners = mesh.uncut_corners(uncut);
+    for (std::size_t i = 1; i + 1 < corners.size(); ++i) triangles.push_back({corners[0], corners[i], corners[i + 1]});
+  }
+  return triangles;
+}
+
 }  // namespace sightline::inline reflect

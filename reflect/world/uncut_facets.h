@@ -3,6 +3,7 @@
 
 #include <array>
 #include <span>
+#include <vector>
 
 #include "geometry/cutting/facet_cutter.h"
 #include "geometry/mesh/box_hierarchy.h"
@@ -13,6 +14,9 @@ namespace sightline::inline reflect {
 [[nodiscard]] Box box_of(const CutMesh& mesh, std::span<const VertexId> corners);
 
 [[nodiscard]] CutPolygon uncut_polygon(const CutMesh& mesh, UncutFacetId uncut);
+
+// The triangles between whose corners normals are interpolated: fans of the facets of a surface as they were before they were cut.
+[[nodiscard]] std::vector<std::array<VertexId, 3>> fans_of(const CutMesh& mesh, FacetId surface);
 
 // Three corners that are not on one line.
 [[nodiscard]] std::array<Point3, 3> plane_points(const CutMesh& mesh, FacetId facet);
