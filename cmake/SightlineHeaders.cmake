@@ -20,6 +20,7 @@ set(sightline_headers
   geometry/numbers/ids.h
   geometry/numbers/vector3.h
 
+  formats/reading/mesh_reader.h
   formats/reading/obj_reader.h
   geometry/cutting/interpenetration.h
   geometry/cutting/common_lines.h
@@ -42,6 +43,7 @@ set(sightline_headers
   formats/writing/segments_table.h
   formats/writing/view_svg.h
 
+  formats/reading/mesh_file.h
   formats/reading/read_limits.h
   formats/writing/text_buffer.h
   formats/writing/window_points.h

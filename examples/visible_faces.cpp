@@ -22,7 +22,7 @@ std::map<FaceId, double> visible_shares(const VisiblePolygons& visible) {
 }
 
 void print_visible_faces(const std::string& file, const ViewPoint& view) {
-  const ObjFile obj = read_obj(file);
+  const MeshFile obj = read_obj(file);
   for (const std::string& warning : obj.warnings) std::cerr << warning << '\n';
 
   // Faces that pass through each other are cut along their common lines here, once for all cameras.

@@ -14,7 +14,7 @@ namespace {
 // Views of larger meshes would leave the fuzzer few inputs per second.
 constexpr std::size_t most_facets = 40;
 
-std::optional<ObjFile> read_or_refused(std::string_view text) {
+std::optional<MeshFile> read_or_refused(std::string_view text) {
   const std::string name = "input.obj";
   try {
     return read_obj(text, name);

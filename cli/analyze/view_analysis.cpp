@@ -2,6 +2,7 @@
 
 #include "cli/analyze/memory_estimate.h"
 #include "cli/system/resources.h"
+#include "formats/reading/mesh_reader.h"
 
 namespace sightline::cli {
 
@@ -66,8 +67,8 @@ SweepObserver* AnalysisWatch::sweep_observer() { return sweep_ ? &*sweep_ : null
 MeshInput read_mesh(const std::string& file, Normals normals, std::uint64_t max_memory, Progress& progress) {
   progress.stage("read " + file);
   const Stopwatch watch;
-  ObjFile obj = read_obj(std::filesystem::path(file), {max_memory}, normals);
-  return {std::move(obj), watch.seconds()};
+  MeshFile read = sightline::read_mesh(std::filesystem::path(file), {max_memory}, normals);
+  return {std::move(read), watch.seconds()};
 }
 
 }  // namespace sightline::cli

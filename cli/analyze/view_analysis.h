@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "cli/system/progress.h"
-#include "formats/reading/obj_reader.h"
+#include "formats/reading/mesh_file.h"
+#include "formats/reading/read_limits.h"
 #include "sightline/analyzer.h"
 
 namespace sightline::cli {
@@ -49,7 +50,7 @@ class AnalysisWatch : public AnalysisHook {
 };
 
 // The input is read once for all cameras of a scene.
-struct MeshInput : ObjFile {
+struct MeshInput : MeshFile {
   double read_seconds = 0;
 };
 

@@ -64,9 +64,9 @@ void warn_about_defects(const Mesh& mesh, const std::string& name, std::vector<s
   }
 }
 
-ObjFile read_from(ObjScanner& scanner, const std::string& name, const ReadLimits& limits, Normals normals) {
+MeshFile read_from(ObjScanner& scanner, const std::string& name, const ReadLimits& limits, Normals normals) {
   ObjStatements statements = parse_obj_statements(scanner, name, limits, normals);
-  ObjFile result;
+  MeshFile result;
   result.corner_normals = std::move(statements.corner_normals);
   warn_about_statements(statements, name, result.warnings);
   result.mesh = build_mesh(std::move(statements.vertices), std::move(statements.faces));
@@ -77,12 +77,12 @@ ObjFile read_from(ObjScanner& scanner, const std::string& name, const ReadLimits
 
 }  // namespace
 
-ObjFile read_obj(const std::filesystem::path& file, const ReadLimits& limits, Normals normals) {
+MeshFile read_obj(const std::filesystem::path& file, const ReadLimits& limits, Normals normals) {
   ObjScanner scanner(bytes_of(file));
   return read_from(scanner, file.string(), limits, normals);
 }
 
-ObjFile read_obj(std::string_view text, const std::string& file_name, const ReadLimits& limits, Normals normals) {
+MeshFile read_obj(std::string_view text, const std::string& file_name, const ReadLimits& limits, Normals normals) {
   ObjScanner scanner(text);
   return read_from(scanner, file_name, limits, normals);
 }

@@ -36,26 +36,19 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
-#include <vector>
 
+#include "formats/reading/mesh_file.h"
 #include "formats/reading/read_limits.h"
-#include "geometry/mesh/mesh.h"
 #include "geometry/numbers/errors.h"
 #include "geometry/numbers/export.h"
 
 namespace sightline::inline formats {
 
-struct ObjFile {
-  Mesh mesh;
-  std::vector<Vector3> corner_normals;  // where asked for: parallel to mesh.faces.corners, zero where none is given
-  std::vector<std::string> warnings;    // "FILE: what", one line each
-};
-
-[[nodiscard]] SIGHTLINE_EXPORT ObjFile read_obj(const std::filesystem::path& file, const ReadLimits& limits = {},
-                                                Normals normals = Normals::passed_over);
+[[nodiscard]] SIGHTLINE_EXPORT MeshFile read_obj(const std::filesystem::path& file, const ReadLimits& limits = {},
+                                                 Normals normals = Normals::passed_over);
 
 // Reads the same from text in memory; file_name is for messages.
-[[nodiscard]] SIGHTLINE_EXPORT ObjFile read_obj(std::string_view text, const std::string& file_name,
-                                                const ReadLimits& limits = {}, Normals normals = Normals::passed_over);
+[[nodiscard]] SIGHTLINE_EXPORT MeshFile read_obj(std::string_view text, const std::string& file_name,
+                                                 const ReadLimits& limits = {}, Normals normals = Normals::passed_over);
 
 }  // namespace sightline::inline formats

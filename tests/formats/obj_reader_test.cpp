@@ -133,7 +133,7 @@ TEST_CASE("a file that cannot be read is an error without a line") {
 TEST_CASE("a warning lists at most ten faces and counts all") {
   std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
   for (int i = 0; i < 12; ++i) text += "f 1 2\n";
-  const ObjFile read = read_obj(text, "many.obj");
+  const MeshFile read = read_obj(text, "many.obj");
   CHECK(read.warnings ==
         std::vector<std::string>{"many.obj: 12 faces skipped (too few corners): 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, ..."});
 }
@@ -159,13 +159,13 @@ void check_same_bits(const std::vector<double>& values, const std::vector<double
 }
 
 TEST_CASE("special numbers") {
-  const ObjFile halfway = read_obj(fixtures / "halfway.obj");
+  const MeshFile halfway = read_obj(fixtures / "halfway.obj");
   const double above_one = std::nextafter(1.0, 2.0);
   const std::vector<Point3>& v = halfway.mesh.vertices;
   check_same_bits(
       {v[0].x(), v[0].y(), v[0].z(), v[1].x(), v[1].y()},
       {9007199254740992.0, 9007199254740996.0, 1.0, above_one, std::bit_cast<double>(0x000fffffffffffffULL)});
-  const ObjFile underflow = read_obj(fixtures / "underflow.obj");
+  const MeshFile underflow = read_obj(fixtures / "underflow.obj");
   check_same_bits({underflow.mesh.vertices[0].x(), underflow.mesh.vertices[1].y(), underflow.mesh.vertices[2].z()},
                   {-0.0, 0.0, 0.0});
   const double smallest = std::numeric_limits<double>::denorm_min();

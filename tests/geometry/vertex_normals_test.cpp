@@ -111,7 +111,7 @@ TEST_CASE("doubts about normals: those of faces, turned ones, and means across s
 
 TEST_CASE("vertices at one place share their mean, and given normals stand") {
   // Two triangles make a roof, each with its own vertices.
-  const ObjFile roof =
+  const MeshFile roof =
       read_obj("v 0 0 0\nv 0 1 0\nv -1 0 -1\nv 0 0 0\nv 1 0 -1\nv 0 1 0\nf 1 2 3\nf 4 5 6\n", "roof.obj");
   const std::vector<Vector3> means = vertex_normals(roof.mesh, {});
   CHECK(is_near(means[0], {0, 0, 1}));

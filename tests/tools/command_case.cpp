@@ -104,7 +104,7 @@ void check_command_does_as_reader(const fs::path& file) {
   const tests::RunResult run = analyze_all_of(file, results.string());
   INFO("file: " << file.string() << ", exit code " << run.exit_code << ", " << run.err);
   try {
-    const ObjFile read = read_obj(file);
+    const MeshFile read = read_obj(file);
     CHECK(run.err.empty());
     REQUIRE(run.exit_code == 0);
     const Json report = Json::parse(run.out);

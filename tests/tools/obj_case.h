@@ -60,7 +60,7 @@ inline bool is_one_line(const std::string& text) {
   return std::ranges::all_of(text, [](char c) { return static_cast<unsigned char>(c) >= 0x20 && c != 0x7f; });
 }
 
-inline void check_read(const ObjCase& c, const ObjFile& read) {
+inline void check_read(const ObjCase& c, const MeshFile& read) {
   CHECK(validate(read.mesh) == std::vector<std::string>{});
   if (c.facets != any_count) CHECK(read.mesh.facet_count() == static_cast<std::size_t>(c.facets));
   if (c.area != any_area) CHECK(area_of(read.mesh) == c.area);
@@ -93,7 +93,7 @@ inline void check_case(const std::filesystem::path& folder, const ObjCase& c) {
   INFO("file: " << c.file);
   const std::filesystem::path path = folder / c.file;
   try {
-    const ObjFile read = read_obj(path);
+    const MeshFile read = read_obj(path);
     CHECK(c.error == "");
     check_read(c, read);
   } catch (const InputError& error) {
