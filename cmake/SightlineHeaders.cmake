@@ -13,6 +13,8 @@ set(sightline_headers
   geometry/mesh/cut_mesh.h
   geometry/projection/camera.h
   reflect/world/panel.h
+  reflect/world/flush_panels.h
+  reflect/world/obstacles.h
   reflect/world/reflection_options.h
   coverage/coverage.h
   geometry/numbers/arithmetic.h
@@ -24,6 +26,7 @@ set(sightline_headers
   formats/reading/obj_reader.h
   geometry/cutting/interpenetration.h
   geometry/cutting/common_lines.h
+  geometry/cutting/coincidence.h
   geometry/projection/culling.h
   geometry/projection/projected_scene.h
   sweep/engine.h

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/analyze/surface_doubts.h"
 #include "cli/system/progress.h"
 #include "formats/reading/mesh_file.h"
 #include "formats/reading/read_limits.h"
@@ -52,6 +53,7 @@ class AnalysisWatch : public AnalysisHook {
 // The input is read once for all cameras of a scene.
 struct MeshInput : MeshFile {
   double read_seconds = 0;
+  SurfaceDoubts doubts = {};
 };
 
 // Errors: InputError (see read_obj).

@@ -125,6 +125,7 @@ Report::ReflectedPanel reflected_panel(const Panel& panel, std::size_t index, co
   Report::ReflectedPanel reflected;
   reflected.name = panel.name;
   reflected.emits = panel.emits;
+  reflected.deviation = fitted_panel(panel).deviation;
   for (const FaceMeasures& face : faces) reflected.area += face.reflecting_area[index];
   reflected.uncertain_image_area = view.reflections.panels[index].uncertain_area;
   reflected.border_distance = view.reflections.panels[index].border_distance;
@@ -164,9 +165,11 @@ Report::BelowResolution below_resolution_of(const VisiblePolygons& polygons) {
   return {count, faces};
 }
 
-// Warns of what the reader skipped, and of polygons below resolution.
-std::vector<std::string> warnings_of(const MeshInput& input, std::size_t faces_below_resolution) {
+// Warns of what was found before any camera looked, of an eye on a face, and of polygons below resolution.
+std::vector<std::string> warnings_of(const MeshInput& input, const View& view, std::size_t faces_below_resolution) {
   std::vector<std::string> warnings = input.warnings;
+  if (auto warning = eye_warning(view.mesh(), view.scene.camera, input.doubts.distance))
+    warnings.push_back(*std::move(warning));
   if (faces_below_resolution > 0) {
     warnings.push_back(fmt::format("visible polygons below resolution, which do not count as visible, on {} face{}",
                                    faces_below_resolution, faces_below_resolution == 1 ? "" : "s"));
@@ -200,7 +203,8 @@ Report make_report(const SceneDescription& scene, const MeshInput& input, const 
   report.seconds = {input.read_seconds, analysis.seconds, write_seconds};
   report.peak_memory_bytes = peak_memory_bytes();
   report.predicates = view.segments.statistics.predicates;
-  report.warnings = warnings_of(input, report.below_resolution.count);
+  report.doubts = input.doubts;
+  report.warnings = warnings_of(input, view, report.below_resolution.count);
   return report;
 }
 

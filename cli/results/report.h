@@ -63,6 +63,7 @@ struct Report {
     std::size_t polygons = 0;         // in the image: triangles in the mode of this name, else polygons
     double uncertain_image_area = 0;  // in smooth mode: at most so much of image_area may be wrong
     double border_distance = 0;       // and so far, in half windows, its border may be from where it should be
+    double deviation = 0;             // of a corner, as given, from the panel's plane
   };
 
   struct Reflection {
@@ -98,6 +99,7 @@ struct Report {
   Areas areas;
   Reflection reflection;
   BelowResolution below_resolution;
+  SurfaceDoubts doubts;
   Seconds seconds;
   std::uint64_t peak_memory_bytes = 0;
   predicates::Counts predicates;

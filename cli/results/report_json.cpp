@@ -1,8 +1,12 @@
 #include "cli/results/report_json.h"
 
+#include <algorithm>
+
 namespace sightline::cli {
 
 namespace {
+
+constexpr std::size_t most_listed = 100;
 
 Json surface_json(const Report::Surface& surface) {
   return {{"file", surface.scene_file},
@@ -10,6 +14,33 @@ Json surface_json(const Report::Surface& surface) {
           {"vertices", surface.vertices},
           {"faces", surface.faces},
           {"facets", surface.facets}};
+}
+
+Json warped_json(const WarpedFaces& warped) {
+  Json part = {{"count", warped.count}, {"largest_deviation", warped.largest_deviation}};
+  part["face"] = warped.count > 0 ? Json(warped.face.value) : Json(nullptr);
+  return part;
+}
+
+// Lists the first pairs of faces; there may be as many as there are faces.
+Json coincidences_json(const SurfaceDoubts& doubts, bool snaps) {
+  const auto face_pair = [](const FaceCoincidence& pair) -> Json {
+    return {{"faces", {pair.first.value, pair.second.value}}, {"distance", pair.distance}, {"overlap", pair.overlap}};
+  };
+  const auto panel_pair = [](const PanelCoincidence& pair) -> Json {
+    Json part = {{"panel", pair.panel}, {"distance", pair.distance}, {"overlap", pair.overlap}};
+    if (pair.face) part["face"] = pair.face->value;
+    if (!pair.face) part["other_panel"] = pair.other_panel;
+    return part;
+  };
+  const std::vector<FaceCoincidence> listed(
+      doubts.faces.begin(),
+      doubts.faces.begin() + static_cast<std::ptrdiff_t>(std::min(doubts.faces.size(), most_listed)));
+  return {{"distance", doubts.distance},
+          {"policy", snaps ? "snap" : "exact"},
+          {"face_pairs", doubts.faces.size()},
+          {"faces", list_json(listed, face_pair)},
+          {"panels", list_json(doubts.panels, panel_pair)}};
 }
 
 Json camera_json(const Camera& camera) {
@@ -72,11 +103,9 @@ Json mode_json(const Report::Reflection& reflection) {
 Json reflection_json(const Report::Reflection& reflection) {
   const char* const noun = reflection.asked.mode == ReflectionMode::triangles ? "triangles" : "polygons";
   const auto panel_json = [&](const Report::ReflectedPanel& panel) -> Json {
-    Json part = {{"name", panel.name},
-                 {"emits", as_json(panel.emits)},
-                 {"area", panel.area},
-                 {"image_area", panel.image_area},
-                 {noun, panel.polygons}};
+    Json part = {{"name", panel.name},   {"emits", as_json(panel.emits)},
+                 {"area", panel.area},   {"image_area", panel.image_area},
+                 {noun, panel.polygons}, {"deviation", panel.deviation}};
     if (reflection.asked.mode == ReflectionMode::smooth) {
       part["uncertain_image_area"] = panel.uncertain_image_area;
       part["border_distance"] = panel.border_distance;
@@ -126,6 +155,8 @@ Json report_json(const Report& report) {
           {"areas", areas_json(report.areas)},
           {"reflections", reflection_json(report.reflection)},
           {"below_resolution", below_resolution_json(report.below_resolution)},
+          {"warped_faces", warped_json(report.doubts.warped)},
+          {"coincidences", coincidences_json(report.doubts, report.reflection.asked.snaps)},
           {"times_s", seconds_json(report.seconds)},
           {"peak_memory_bytes", report.peak_memory_bytes},
           {"predicates", predicates_json(report.predicates)},

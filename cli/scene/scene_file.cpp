@@ -10,6 +10,8 @@
 #include <optional>
 #include <set>
 
+#include "cli/scene/coincidence_table.h"
+#include "cli/scene/panel_table.h"
 #include "cli/scene/scene_tables.h"
 #include "cli/scene/toml_reader.h"
 #include "formats/reading/printable.h"
@@ -113,12 +115,20 @@ std::vector<Panel> read_panels(const toml::table& root, const std::string& path)
                    fmt::format("more than {} panels", most_panels));
 }
 
-ReflectionOptions read_reflection(const toml::table& root, const std::string& path) {
-  const toml::node* node = root.get("reflection");
-  if (node == nullptr) return {};
+// Nothing where there is no such table.
+std::optional<TomlReader> optional_table(const toml::table& root, const std::string& path, const std::string& name) {
+  const toml::node* node = root.get(name);
+  if (node == nullptr) return std::nullopt;
   const std::size_t line = node->source().begin.line;
-  if (!node->is_table()) throw InputError(path, line, "'reflection' must be a table: [reflection]");
-  return read_reflection(TomlReader{*node->as_table(), path, "[reflection]", line});
+  if (!node->is_table()) throw InputError(path, line, fmt::format("'{}' must be a table: [{}]", name, name));
+  return TomlReader{*node->as_table(), path, "[" + name + "]", line};
+}
+
+ReflectionOptions read_reflection(const toml::table& root, const std::string& path) {
+  ReflectionOptions options;
+  if (const auto table = optional_table(root, path, "reflection")) options = read_reflection(*table);
+  if (const auto table = optional_table(root, path, "coincidence")) read_coincidence(*table, options);
+  return options;
 }
 
 }  // namespace
@@ -142,7 +152,7 @@ std::optional<SidesPolicy> sides_policy(std::string_view word) {
 
 SceneDescription parse_scene(std::string_view text, const std::string& path) {
   const toml::table root = parsed(text, path);
-  TomlReader(root, path, "the scene file", 0).allow_only({"mesh", "camera", "panel", "reflection"});
+  TomlReader(root, path, "the scene file", 0).allow_only({"mesh", "camera", "panel", "reflection", "coincidence"});
   const TomlReader mesh = mesh_table(root, path);
   mesh.allow_only({"file", "sides"});
   SceneDescription scene;

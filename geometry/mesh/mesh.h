@@ -43,7 +43,7 @@ enum class Defect : std::uint8_t {
   too_few_corners,  // fewer than three distinct corners: skipped
   zero_area,        // all corners on one line, exactly, or nothing but spikes: skipped
   self_crossing,    // its boundary crosses or overlaps itself in the same direction: skipped
-  repeated_face,    // the same corners (by position) as an earlier face, in either direction: skipped
+  repeated_face,    // the same corners (by position) as an earlier face, in the same direction: skipped
   repeated_corner,  // consecutive equal corners, or a spike that turns straight back: removed, the rest is kept
 };
 [[nodiscard]] SIGHTLINE_EXPORT const char* to_string(Defect defect);

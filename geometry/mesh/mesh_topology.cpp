@@ -30,21 +30,18 @@ Groups group_by(std::span<const std::uint32_t> keys, std::size_t key_count) {
 
 using Cycle = std::vector<std::uint32_t>;
 
-// Returns `cycle` read from `start` in one direction.
-Cycle rotated(std::span<const std::uint32_t> cycle, std::size_t start, bool reversed) {
+Cycle rotated(std::span<const std::uint32_t> cycle, std::size_t start) {
   Cycle result(cycle.begin(), cycle.end());
   std::rotate(result.begin(), result.begin() + static_cast<std::ptrdiff_t>(start), result.end());
-  if (reversed) std::reverse(result.begin() + 1, result.end());
   return result;
 }
 
-// Returns the lexicographically smallest reading of a cycle, from any start in either direction.
+// Returns the lexicographically smallest reading of a cycle, from any start.
 Cycle canonical(std::span<const std::uint32_t> cycle) {
   Cycle best(cycle.begin(), cycle.end());
   const std::uint32_t smallest = std::ranges::min(cycle);
   for (std::size_t i = 0; i < cycle.size(); ++i) {
-    if (cycle[i] != smallest) continue;
-    for (const bool reversed : {false, true}) best = std::min(best, rotated(cycle, i, reversed));
+    if (cycle[i] == smallest) best = std::min(best, rotated(cycle, i));
   }
   return best;
 }
@@ -58,7 +55,7 @@ Cycle canonical_cycles(const PolygonList& polygons, const Welding& welding) {
     ranks.clear();
     for (const VertexId v : polygons[i]) ranks.push_back(welding.rank[v.index()]);
     if (ranks.size() == 3) {
-      std::ranges::sort(ranks);
+      std::rotate(ranks.begin(), std::ranges::min_element(ranks), ranks.end());
     } else if (!ranks.empty()) {
       ranks = canonical(ranks);
     }

@@ -21,7 +21,7 @@ struct Welding {
 };
 [[nodiscard]] Welding weld_vertices(std::span<const Point3> vertices);
 
-// Returns, per polygon, whether an earlier one has the same corners (welded), in the same or the reversed cyclic order.
+// Returns, per polygon, whether an earlier one has the same corners (welded), in the same cyclic order.
 // Empty polygons repeat nothing.
 [[nodiscard]] std::vector<bool> find_repeated(const PolygonList& polygons, const Welding& welding);
 

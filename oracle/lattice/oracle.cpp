@@ -32,6 +32,10 @@ Rational area_of(const Tower& tower, const Fraction& top, const std::vector<Rise
   return height * (width(tower.bottom) + width(top)) / 2;
 }
 
+bool comes_first_in_plane(const OracleFace& a, const OracleFace& b) {
+  return a.is_front == b.is_front ? a.number < b.number : a.is_front;
+}
+
 std::size_t front_of(const std::vector<OracleFace>& faces, const std::vector<Rise>& rises, const Slab& slab,
                      const Trapezoid& trapezoid) {
   const Fraction y{slab.bottom.numerator * slab.top.denominator + slab.top.numerator * slab.bottom.denominator,
@@ -42,7 +46,7 @@ std::size_t front_of(const std::vector<OracleFace>& faces, const std::vector<Ris
     if (best == faces.size()) best = f;
     if (f == faces.size()) continue;
     const int order = nearer(faces[f].plane, faces[best].plane, place);
-    if (order > 0 || (order == 0 && faces[f].number < faces[best].number)) best = f;
+    if (order > 0 || (order == 0 && comes_first_in_plane(faces[f], faces[best]))) best = f;
   }
   return best;
 }
@@ -94,7 +98,7 @@ void add(std::vector<OracleFace>& faces, std::size_t number, const std::vector<C
   const auto ring = clipped_image_of(corners);
   const auto plane = plane_of(corners);
   if (!ring || !plane) throw std::logic_error("face " + std::to_string(number) + " is not on the oracle's grid");
-  if (ring->size() >= 3) faces.push_back({number, *ring, *plane});
+  if (ring->size() >= 3) faces.push_back({number, *ring, *plane, turn > 0});
 }
 
 }  // namespace

@@ -82,17 +82,17 @@ class Collector {
       std::reverse(corners.begin(), corners.end());
       plane = {-plane.a, -plane.b, -plane.n, -plane.d};
     }
-    add(face, reduced(plane), corners);
+    add(face, reduced(plane), corners, facing > 0);
   }
 
   std::vector<SeenFace> faces;
 
  private:
-  void add(FaceId face, const Plane& plane, const std::vector<CameraPoint>& corners) {
+  void add(FaceId face, const Plane& plane, const std::vector<CameraPoint>& corners, bool is_front) {
     std::vector<Point> places;
     for (const CameraPoint& p : corners) places.push_back(reduced(p.place));
     const Outline outline = cut_to_view(outline_of(places), plane, camera_);
-    if (!outline.empty()) faces.push_back({face, plane, outline});
+    if (!outline.empty()) faces.push_back({face, plane, outline, is_front});
   }
 
   const PolygonMesh& mesh_;

@@ -25,7 +25,8 @@ struct Plane {
 struct SeenFace {
   FaceId face;
   Plane plane;
-  Outline outline;  // counter-clockwise
+  Outline outline;       // counter-clockwise
+  bool is_front = true;  // the eye sees its front
 };
 
 [[nodiscard]] std::vector<SeenFace> seen_faces(const PolygonMesh& mesh, const Camera& camera, Sides sides);

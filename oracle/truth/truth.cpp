@@ -15,10 +15,15 @@ using image::SeenFace;
 using image::Shape;
 using image::where_nearer;
 
+// Of faces in one plane those that look at the eye are in front, and then the lower index.
+bool is_in_front_in_plane(const std::vector<SeenFace>& faces, std::size_t a, std::size_t b) {
+  return faces[a].is_front == faces[b].is_front ? a < b : faces[a].is_front;
+}
+
 // Returns where `other` hides the face of `faces` with this index.
 Outline hiding_part(const std::vector<SeenFace>& faces, std::size_t other, std::size_t hidden) {
   const Line nearer = where_nearer(faces[other].plane, faces[hidden].plane);
-  if (nearer == Line{}) return other < hidden ? faces[other].outline : Outline{};
+  if (nearer == Line{}) return is_in_front_in_plane(faces, other, hidden) ? faces[other].outline : Outline{};
   return cut(faces[other].outline, nearer);
 }
 

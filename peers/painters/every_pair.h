@@ -12,7 +12,7 @@
 //      left out.
 // Cost: (n - 1) + (n - 2) + ... + 1 pairs, each compared once; of those whose extents overlap one polygon is cut.
 // Cannot: tell the order of planes that are closer to each other than a rounding error of their depth. Coplanar
-//      polygons are told exactly: the lower face is in front.
+//      polygons are told exactly, by the rule of sightline.
 // Holds: what it says is seen of all polygons together does not overlap, up to rounding.
 #pragma once
 

@@ -41,7 +41,8 @@ void add_if_any(std::vector<ImagePolygon>& polygons, ImagePolygon polygon) {
 
 }  // namespace
 
-Mirror::Mirror(const MirrorWorld& world, const ProjectedScene& scene, FacetId surface) : world_(world), scene_(scene) {
+Mirror::Mirror(const MirrorWorld& world, const ProjectedScene& scene, FacetId surface)
+    : world_(world), scene_(scene), surface_(surface) {
   std::array<Point3, 3> plane = plane_points(*world.surface, surface);
   if (scene.facing[surface.index()] == FacetFacing::back) std::swap(plane[1], plane[2]);
   forms_ = mirrored_forms(scene.camera, plane);
@@ -51,7 +52,7 @@ std::vector<std::size_t> Mirror::panels_reached(const WindowPart& part) const {
   const Pyramid pyramid(forms_, widened(part, scene_.grid_bits));
   std::vector<std::size_t> reached;
   for (std::size_t p = 0; p < world_.panels.size(); ++p) {
-    if (pyramid.may_touch(world_.panel_boxes[p])) reached.push_back(p);
+    if (pyramid.may_touch(world_.panel_boxes[p]) && !world_.is_snapped_surface(p, surface_)) reached.push_back(p);
   }
   return reached;
 }
@@ -76,7 +77,7 @@ const Mirror::PanelImage& Mirror::image_of(std::size_t panel) {
   if (!is_new) return image;
   const CutMesh& mesh = world_.panel_meshes[panel];
   const ExactPlane& plane = world_.panel_planes[panel];
-  const BoundedForm form = bounded_form(plane_points(mesh, FacetId(0)));
+  const BoundedForm form = bounded_form(panel_plane(mesh));
   const auto certain = certain_side_of_centre(forms_, scene_.camera, form);
   const Sign side = certain ? *certain : exact_view().side_of_centre(plane);
   if (side == 0 || (side < 0 && world_.panels[panel].emits == Emits::front)) return image;
@@ -101,11 +102,12 @@ std::vector<ImagePolygon> Mirror::shadows(const WindowPart& part, std::size_t pa
   const Pyramid pyramid(forms_, widened(part, scene_.grid_bits));
   std::vector<ImagePolygon> shadows;
   for (const UncutFacetId obstacle : world_.obstacles.in([&](const Box& box) { return pyramid.may_touch(box); })) {
+    if (world_.is_snapped(panel, obstacle)) continue;
     ++statistics.obstacles;
     add_if_any(shadows, shadow(*world_.surface, obstacle, image));
   }
   for (std::size_t p = 0; p < world_.panels.size(); ++p) {
-    if (p == panel || !pyramid.may_touch(world_.panel_boxes[p])) continue;
+    if (p == panel || world_.is_snapped(panel, p) || !pyramid.may_touch(world_.panel_boxes[p])) continue;
     for (std::size_t f = 0; f < world_.panel_meshes[p].facet_count(); ++f) {
       ++statistics.obstacles;
       add_if_any(shadows, shadow(world_.panel_meshes[p], UncutFacetId(f), image));

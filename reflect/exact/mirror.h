@@ -55,6 +55,7 @@ class Mirror {
 
   const MirrorWorld& world_;
   const ProjectedScene& scene_;
+  FacetId surface_;
   MirroredForms forms_;
   std::optional<MirrorView> view_;  // made where the forms do not suffice
   std::map<std::size_t, PanelImage> images_;

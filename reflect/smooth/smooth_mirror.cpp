@@ -24,6 +24,12 @@ struct FacetSide {
   bool from_front = true;
 };
 
+BentMirror::Plane plane_of_side(const MirrorWorld& world, std::array<Point3, 3> plane, bool from_front) {
+  if (!from_front) std::swap(plane[1], plane[2]);
+  const Vector3 along = world.scale * plane[1] - world.scale * plane[0];
+  return {unit(along.cross(world.scale * plane[2] - world.scale * plane[0])), world.scale * plane[0]};
+}
+
 FacetSide facet_side(const MirrorWorld& world, const CutMesh& mesh, UncutFacetId facet, std::size_t object,
                      bool from_front) {
   FacetSide side;
@@ -33,10 +39,7 @@ FacetSide facet_side(const MirrorWorld& world, const CutMesh& mesh, UncutFacetId
   side.vertices.assign(corners.begin(), corners.end());
   if (!from_front) std::ranges::reverse(side.vertices);
   for (const VertexId v : side.vertices) side.corners.push_back(world.scale * mesh.position(v));
-  std::array<Point3, 3> plane = plane_points(mesh, mesh.first_piece(facet));
-  if (!from_front) std::swap(plane[1], plane[2]);
-  const Vector3 along = world.scale * plane[1] - world.scale * plane[0];
-  side.plane = {unit(along.cross(world.scale * plane[2] - world.scale * plane[0])), world.scale * plane[0]};
+  side.plane = plane_of_side(world, plane_points(mesh, mesh.first_piece(facet)), from_front);
   return side;
 }
 
@@ -210,8 +213,8 @@ void SmoothMirror::add_images(const BentMirror& mirror, const PanelSide& side, s
 
 std::vector<ConvexPart> SmoothMirror::shadows(const BentMirror& mirror, const RayBeam& beam, const PanelSide& panel,
                                               ReflectionStatistics& statistics) const {
-  const FacetSide emitting =
-      facet_side(world_, world_.panel_meshes[panel.panel], UncutFacetId(0), panel.panel, panel.from_front);
+  const BentMirror::Plane emitting =
+      plane_of_side(world_, panel_plane(world_.panel_meshes[panel.panel]), panel.from_front);
   std::vector<Point3> panel_corners;
   for (const Point3& corner : world_.panels[panel.panel].corners) panel_corners.push_back(world_.scale * corner);
   const RayBeam to_panel = mirror.beam_to(panel_corners);
@@ -226,13 +229,15 @@ std::vector<ConvexPart> SmoothMirror::shadows(const BentMirror& mirror, const Ra
     for (const bool from_front : {true, false}) {
       const FacetSide side = facet_side(world_, mesh, facet, object, from_front);
       Collector collector;
-      if (add_meeting(mirror, mesh, side, collector) && collector.add(mirror.meets_before(side.plane, emitting.plane)))
+      if (add_meeting(mirror, mesh, side, collector) && collector.add(mirror.meets_before(side.plane, emitting)))
         result.push_back(collector.take());
     }
   };
-  for (const UncutFacetId facet : world_.obstacles.in(may_reach)) add(*world_.surface, world_.panels.size(), facet);
+  for (const UncutFacetId facet : world_.obstacles.in(may_reach)) {
+    if (!world_.is_snapped(panel.panel, facet)) add(*world_.surface, world_.panels.size(), facet);
+  }
   for (std::size_t p = 0; p < world_.panels.size(); ++p) {
-    if (p == panel.panel || !may_reach(world_.panel_boxes[p])) continue;
+    if (p == panel.panel || world_.is_snapped(panel.panel, p) || !may_reach(world_.panel_boxes[p])) continue;
     const CutMesh& mesh = world_.panel_meshes[p];
     for (std::size_t f = 0; f < mesh.facet_count(); ++f) add(mesh, p, UncutFacetId(f));
   }
@@ -250,7 +255,7 @@ bool SmoothMirror::is_in_the_way(const CutMesh& mesh, UncutFacetId facet, const 
       return orient3d(plane[0], plane[1], plane[2], mesh.position(v)) > 0;
     });
   };
-  std::array<Point3, 3> emitting = plane_points(world_.panel_meshes[side.panel], FacetId(0));
+  std::array<Point3, 3> emitting = panel_plane(world_.panel_meshes[side.panel]);
   if (!side.from_front) std::swap(emitting[1], emitting[2]);
   return has_corner_before(plane_) && has_corner_before(emitting);
 }

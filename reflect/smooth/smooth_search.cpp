@@ -66,6 +66,7 @@ class SmoothSearch {
       SmoothMirror::Reflecting& found = result_.found[p][panel];
       const bool has_no_border = wanted == CellResult::border && found.area > 0 && found.border.empty();
       if (all || found.uncertain_area > 0 || has_no_border) {
+        if (world_.is_snapped_surface(panel, polygons_[p].surface)) continue;
         if (!mirror || surface != polygons_[p].surface) mirror.emplace(world_, scene_, polygons_[p].surface);
         surface = polygons_[p].surface;
         found = mirror->reflecting(polygons_[p].border, panel, precision, wanted, statistics_);

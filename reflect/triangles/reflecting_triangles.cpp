@@ -21,7 +21,7 @@ class PanelTarget {
  public:
   PanelTarget(const MirrorWorld& world, std::size_t panel) : emits_(world.panels[panel].emits) {
     for (const Point3& p : world.panels[panel].corners) corners_.push_back(world.scale * p);
-    const auto [a, b, c] = plane_points(world.panel_meshes[panel], FacetId(0));
+    const auto [a, b, c] = panel_plane(world.panel_meshes[panel]);
     plane_ = plane_form(world.scale * a, world.scale * b, world.scale * c);
     const Vector3& n = plane_.normal;
     const std::array sizes{std::fabs(n.x()), std::fabs(n.y()), std::fabs(n.z())};
@@ -112,6 +112,7 @@ class Marker {
     std::uint64_t panels = 0;
     for (std::size_t panel = 0; panel < targets_.size(); ++panel) {
       const auto meets_panel = [&](const Ray& ray) { return targets_[panel].is_met_by(ray); };
+      if (world_.is_snapped_surface(panel, triangle.surface)) continue;
       if (std::ranges::all_of(rays, meets_panel) && !is_blocked(triangle, panel)) panels |= std::uint64_t{1} << panel;
     }
     return panels;

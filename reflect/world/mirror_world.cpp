@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "geometry/mesh/facet_plane.h"
 #include "reflect/world/uncut_facets.h"
 
 namespace sightline::inline reflect {
@@ -20,28 +21,14 @@ const char* to_string(ReflectionMode mode) {
 
 const char* to_string(MirrorNormals normals) { return normals == MirrorNormals::face ? "face" : "vertex"; }
 
-Obstacles::Obstacles(const CutMesh& mesh) {
-  std::vector<Box> boxes;
-  for (std::size_t w = 0; w < mesh.uncut_facet_count(); ++w)
-    boxes.push_back(box_of(mesh, mesh.uncut_corners(UncutFacetId(w))));
-  hierarchy_ = build_hierarchy(boxes);
-}
-
-std::vector<UncutFacetId> Obstacles::in(const std::function<bool(const Box&)>& may_touch) const {
-  std::vector<UncutFacetId> found;
-  for_each_touched_item(hierarchy_, may_touch, [&](const BoxHierarchy::Item& item) { found.emplace_back(item.index); });
-  return found;
-}
-
 namespace {
 
-// Of the panel that was added last.
-std::vector<std::size_t> earlier_ones_in_plane(const MirrorWorld& world) {
-  const ExactPlane& plane = world.panel_planes.back();
+std::vector<std::size_t> earlier_ones_in_plane(const MirrorWorld& world, std::size_t panel) {
+  const ExactPlane& plane = world.panel_planes[panel];
   std::vector<std::size_t> result;
-  for (std::size_t p = 0; p + 1 < world.panel_planes.size(); ++p) {
+  for (std::size_t p = 0; p < panel; ++p) {
     const auto is_on_plane = [&](const Point3& corner) { return plane.side(exact_position(corner)) == 0; };
-    if (std::ranges::all_of(world.panels[p].corners, is_on_plane)) result.push_back(p);
+    if (world.is_snapped(panel, p) || std::ranges::all_of(world.panels[p].corners, is_on_plane)) result.push_back(p);
   }
   return result;
 }
@@ -50,19 +37,40 @@ std::vector<std::size_t> earlier_ones_in_plane(const MirrorWorld& world) {
 
 MirrorWorld make_mirror_world(std::shared_ptr<const CutMesh> surface, std::vector<Panel> panels,
                               const ReflectionOptions& options, const std::vector<Vector3>& given_normals) {
-  MirrorWorld world{std::move(surface), std::move(panels), options, {}, {}, {}, {}, {}, 1, {}};
+  MirrorWorld world{std::move(surface), std::move(panels), options, {}, {}, {}, {}, {}, {}, 1, {}};
   if (world.panels.empty()) return world;
   world.obstacles = Obstacles(*world.surface);
   world.scale = unit_scale(world.surface->vertices);
   if (options.needs_vertex_normals())
     world.normals = vertex_normals(*world.surface, given_normals, options.normal_options());
-  for (const Panel& panel : world.panels) {
+  for (Panel& panel : world.panels) {
     const CutMesh& mesh = world.panel_meshes.emplace_back(uncrossed(panel_mesh(panel)));
-    world.panel_planes.push_back(plane_through(plane_points(mesh, FacetId(0))));
+    panel.corners = mesh.vertices;
+    world.panel_planes.push_back(plane_through(panel_plane(mesh)));
     world.panel_boxes.push_back(box_of(mesh, mesh.faces[0]));
-    world.panels_over.push_back(earlier_ones_in_plane(world));
+  }
+  const double distance = options.coincidence * size_of(*world.surface);
+  for (std::size_t p = 0; p < world.panels.size(); ++p) {
+    world.flush.push_back(find_flush(*world.surface, world.obstacles, world.panel_meshes, p, distance));
+    world.panels_over.push_back(earlier_ones_in_plane(world, p));
   }
   return world;
+}
+
+bool MirrorWorld::is_snapped(std::size_t panel, UncutFacetId facet) const {
+  return options.snaps && std::ranges::binary_search(flush[panel].facets, facet, {}, &FlushFacet::facet);
+}
+
+bool MirrorWorld::is_snapped_surface(std::size_t panel, FacetId first) const {
+  if (!options.snaps || flush[panel].facets.empty()) return false;
+  for (FacetId f = first; f < end_of_surface(*surface, first); f = FacetId(f.index() + 1)) {
+    if (is_snapped(panel, surface->uncut_facet(f))) return true;
+  }
+  return false;
+}
+
+bool MirrorWorld::is_snapped(std::size_t panel, std::size_t other) const {
+  return options.snaps && std::ranges::binary_search(flush[panel].panels, other, {}, &FlushPanel::panel);
 }
 
 }  // namespace sightline::inline reflect

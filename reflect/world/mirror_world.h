@@ -1,39 +1,23 @@
 // The world is everything that can be reflected or be in the way, prepared once for all cameras.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
 
-#include "geometry/mesh/box_hierarchy.h"
 #include "geometry/mesh/cut_mesh.h"
 #include "geometry/numbers/exact_position.h"
 #include "geometry/numbers/export.h"
+#include "reflect/world/flush_panels.h"
+#include "reflect/world/obstacles.h"
 #include "reflect/world/panel.h"
 #include "reflect/world/reflection_options.h"
 
 namespace sightline::inline reflect {
 
-// The facets of the surface, and panels, may stand between a mirror and a panel. The hierarchy is built in O(n log n);
-// a pyramid (pyramid.h) costs what it touches of it.
-class Obstacles {
- public:
-  Obstacles() = default;
-  // A mesh that was cut along common lines has the facets before the cut as obstacles. Which pieces they are in is of
-  // no interest here.
-  explicit Obstacles(const CutMesh& mesh);
-
-  // `may_touch` is false where a box has no point in the pyramid.
-  [[nodiscard]] std::vector<UncutFacetId> in(const std::function<bool(const Box&)>& may_touch) const;
-
- private:
-  BoxHierarchy hierarchy_;
-};
-
 struct MirrorWorld {
   std::shared_ptr<const CutMesh> surface;  // a world keeps it alive
-  std::vector<Panel> panels;
+  std::vector<Panel> panels;               // fitted
   ReflectionOptions options;
   std::vector<CutMesh> panel_meshes;  // one face each
   std::vector<ExactPlane> panel_planes;
@@ -41,9 +25,18 @@ struct MirrorWorld {
   // Per panel those that lie in its plane, exactly, and come before it: where they overlap, they are in front, as the lower face
   // index is of the surface's faces.
   std::vector<std::vector<std::size_t>> panels_over;
+  // Per panel what lies on it, or all but. Where the options snap, that counts as in its plane.
+  std::vector<Flush> flush;
   Obstacles obstacles;
   double scale = 1;              // unit_scale of the surface's vertices
   std::vector<Vector3> normals;  // where the options need them: vertex_normals(surface)
+
+  // Returns whether the facet counts as in the panel's plane: then it does not hide the panel.
+  [[nodiscard]] bool is_snapped(std::size_t panel, UncutFacetId facet) const;
+  // Returns whether some facet of the surface does: then the surface does not mirror the panel.
+  [[nodiscard]] bool is_snapped_surface(std::size_t panel, FacetId surface) const;
+  // The same of another panel; the first one is in front of the second one.
+  [[nodiscard]] bool is_snapped(std::size_t panel, std::size_t other) const;
 };
 
 // `given_normals` are as for vertex_normals. Errors: PanelError.

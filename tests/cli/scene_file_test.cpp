@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -48,6 +49,7 @@ std::string with(const std::string& text, const std::string& from, const std::st
 const std::string matrix = "[[500, 0, 320, 1600], [0, 500, 240, 1200], [0, 0, 1, 5]]";
 const std::string matrix_camera = "[[camera]]\nname = \"p\"\nP = " + matrix + "\nimage = [640, 480]\n";
 std::string panel(const std::string& corners) { return "[[panel]]\nname = \"left\"\ncorners = " + corners + "\n"; }
+const std::string placed = "[[panel]]\nname = \"left\"\ncenter = [1, 2, 3]\n";  // lines 8 to 10
 const std::string square = "[[0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]]";
 
 }  // namespace
@@ -108,6 +110,26 @@ TEST_CASE("how reflections are found") {
   CHECK(options_of("mode = \"smooth\"\ntolerance = 0.25\n").tolerance == 0.25);
 }
 
+TEST_CASE("panels by their middle, their front, and their size or radius") {
+  const auto corners_of = [](const std::string& lines) {
+    return parse_scene(good + placed + lines, "scene.toml").panels.at(0).corners;
+  };
+  const std::vector<Point3> upright{{0, 0, 3}, {2, 0, 3}, {2, 4, 3}, {0, 4, 3}};
+  CHECK(corners_of("normal = [0, 0, 9]\nsize = [2, 4]\n") == upright);
+  CHECK(corners_of("target = [1, 2, 9]\nsize = [2, 4]\n") == upright);
+  CHECK(corners_of("target = [1, 2, 9]\nsize = [4, 2]\nup = [-5, 0, 1]\n") ==
+        std::vector<Point3>{{2, 0, 3}, {2, 4, 3}, {0, 4, 3}, {0, 0, 3}});
+  const std::vector<Point3> disc = corners_of("normal = [1, 1, 1]\nradius = 5\n");
+  CHECK(disc.size() == 64);
+  Vector3 twice_area = Vector3::Zero();
+  for (std::size_t i = 0; i < 64; ++i) {
+    CHECK(norm(disc[i] - Point3(1, 2, 3)) == doctest::Approx(5).epsilon(1e-3));
+    CHECK(norm(0.5 * (disc[i] + disc[(i + 1) % 64]) - Point3(1, 2, 3)) == doctest::Approx(5).epsilon(1e-3));
+    twice_area += (disc[i] - Point3(1, 2, 3)).cross(disc[(i + 1) % 64] - Point3(1, 2, 3));
+  }
+  CHECK(twice_area.dot(Vector3(1, 1, 1)) / std::sqrt(3.0) / 2 == doctest::Approx(25 * std::numbers::pi));
+}
+
 TEST_CASE("characters beyond ASCII are welcome in quotes and comments, and brackets at the start of a row") {
   const auto mesh_called = [](const std::string& quoted) {
     return parse_scene("\xEF\xBB\xBF# \u00e9 [\n" + with(good, "\"a.obj\"", quoted), "scene.toml").mesh_file;
@@ -146,7 +168,7 @@ TEST_CASE("what is wrong in a scene file is named with key and line") {
       {good + "[[panel]]\n", 8, "[[panel]] has no 'name'"},
       {good + "[[panel]]\nname = \"a b\"\n", 9, "has a space"},
       {good + "[[panel]]\nname = \"a/b\"\n", 9, "has one of /"},
-      {good + "[[panel]]\nname = \"a\"\n", 8, "[[panel]] has no 'corners'"},
+      {good + "[[panel]]\nname = \"a\"\n", 8, "none of corners, size, radius"},
       {good + panel("[[0, 0, 0], [1, 0, 0]]"), 10, "panel \"left\": too few corners"},
       {good + panel("[[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0.5]]"), 10, "its corners are not in one plane"},
       {good + panel("[[0, 0, 0], [1, 0, 0], [1, 1]]"), 10, "'corners' must be of the form"},
@@ -154,6 +176,19 @@ TEST_CASE("what is wrong in a scene file is named with key and line") {
       {good + panel("7"), 10, "'corners' must be of the form [[x, y, z], ...]"},
       {good + panel(square) + "emits = \"back\"\n", 11, "'emits' must be \"front\" or \"both\""},
       {good + panel(square) + "colour = 1\n", 11, "unknown key 'colour' in [[panel]]"},
+      {good + panel(square) + "radius = 1\n", 11, "both 'corners' and 'radius'"},
+      {good + panel(square) + "up = [0, 1, 0]\n", 11, "unknown key 'up' in [[panel]]"},
+      {good + panel(square) + "planarity = -1\n", 11, "'planarity' must be at least 0 and below 1"},
+      {good + placed + "size = [1, 2]\n", 8, "either 'normal' or 'target'"},
+      {good + placed + "size = [1, 2]\nnormal = [0, 0, 0]\n", 12, "the panel's front looks nowhere"},
+      {good + placed + "size = [1, 2]\ntarget = [1, 2, 3]\n", 12, "the panel's front looks nowhere"},
+      {good + placed + "size = [1, 0]\nnormal = [0, 0, 1]\n", 11, "'size' must be above 0"},
+      {good + placed + "size = [1, 2]\nnormal = [0, 2, 0]\n", 8, "'up' is along its normal; choose another 'up'"},
+      {good + placed + "radius = 0\nnormal = [0, 0, 1]\n", 11, "'radius' must be above 0"},
+      {good + placed + "radius = 1.7976e308\nnormal = [9, 9, 1]\n", 11, "too large for double arithmetic"},
+      {good + "[coincidence]\ndistance = 1\n", 9, "'distance' must be at least 0 and below 1"},
+      {good + "[coincidence]\npolicy = \"weld\"\n", 9, "'policy' must be \"exact\" or \"snap\""},
+      {"coincidence = 1\n" + good, 1, "'coincidence' must be a table"},
       {good + panel(square) + panel(square), 12, "a second panel is called \"left\""},
       {good + "[reflection]\nmode = \"rough\"\n", 9, "'mode' must be \"exact\", \"triangles\" or \"smooth\""},
       {good + "[reflection]\nmode = \"smooth\"\ntolerance = 0\n", 10, "'tolerance' must be between 0 and 1"},

@@ -87,12 +87,12 @@ const std::vector<ObjCase> defect_cases{
     with_defect(with_defect(reads("spikes.obj", 2, 16), Defect::repeated_corner, {0, 1}), Defect::zero_area, {2}),
     with_defect(reads("on_one_line.obj", 1), Defect::zero_area, {0, 1, 2}),
     reads("almost_on_one_line.obj", 1),
-    with_defect(with_defect(reads("repeated_faces.obj", 2, 1.5), Defect::repeated_face, {1, 2}), Defect::self_crossing,
+    with_defect(with_defect(reads("repeated_faces.obj", 3, 2.5), Defect::repeated_face, {1}), Defect::self_crossing,
                 {3}),
     reads("equal_vertices.obj", 2, 1),
     with_defect(reads("bowtie.obj", 0), Defect::self_crossing, {0}),
     with_defect(reads("twice_round.obj", 1, 0.5), Defect::self_crossing, {0}),
-    with_defect(with_defect(reads("pentagram.obj", 0), Defect::self_crossing, {0}), Defect::repeated_face, {1}),
+    with_defect(reads("pentagram.obj", 0), Defect::self_crossing, {0, 1}),
 };
 
 // k corners give k - 2 triangles; a pinch takes two of them away.

@@ -1,0 +1,117 @@
+#include "cli/analyze/surface_doubts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "geometry/faces/fitted_plane.h"
+
+namespace sightline::cli {
+namespace {
+
+WarpedFaces warped_faces(const PolygonMesh& mesh) {
+  WarpedFaces warped;
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    if (mesh.face_planar[f] != 0 || mesh.first_facet(FaceId(f)) == mesh.end_facet(FaceId(f))) continue;
+    std::vector<Point3> corners;
+    for (const VertexId v : mesh.faces[f]) corners.push_back(mesh.position(v));
+    const FittedPlane plane = fitted_plane(corners);
+    double deviation = 0;
+    for (const Point3& corner : corners) deviation = std::max(deviation, std::fabs(plane.height(corner)));
+    if (warped.count++ == 0 || deviation > warped.largest_deviation) {
+      warped.largest_deviation = deviation;
+      warped.face = FaceId(f);
+    }
+  }
+  return warped;
+}
+
+// Facets of one face count together.
+void add_faces_of_panel(const CutMesh& mesh, const MirrorWorld& world, std::size_t panel,
+                        std::vector<PanelCoincidence>& found) {
+  const std::size_t first = found.size();
+  for (const FlushFacet& flush : world.flush[panel].facets) {
+    const FaceId face = mesh.facet_face[mesh.first_piece(flush.facet).index()];
+    if (found.size() == first || found.back().face != face)
+      found.push_back({{0, 0}, world.panels[panel].name, face, ""});
+    found.back().distance = std::max(found.back().distance, flush.distance);
+    found.back().overlap += flush.overlap;
+  }
+}
+
+std::vector<PanelCoincidence> coincidences_of_panels(const CutMesh& mesh, const MirrorWorld& world) {
+  std::vector<PanelCoincidence> found;
+  for (std::size_t p = 0; p < world.flush.size(); ++p) {
+    add_faces_of_panel(mesh, world, p, found);
+    for (const FlushPanel& flush : world.flush[p].panels) {
+      if (flush.panel > p) found.push_back({flush, world.panels[p].name, std::nullopt, world.panels[flush.panel].name});
+    }
+  }
+  return found;
+}
+
+std::string pairs(std::size_t count) { return fmt::format("{} pair{}", count, count == 1 ? "" : "s"); }
+
+std::string faces_of(const FaceCoincidence& pair) {
+  return fmt::format("{} and {}", pair.first.value, pair.second.value);
+}
+
+// Of pairs in one plane, exactly, a rule says which is in front; of others the last digits do.
+void warn_about_faces(const SurfaceDoubts& doubts, std::vector<std::string>& warnings) {
+  const auto is_exact = [](const FaceCoincidence& pair) { return pair.distance == 0; };
+  const auto first_in_plane = std::ranges::find_if(doubts.faces, is_exact);
+  const auto first_near = std::ranges::find_if_not(doubts.faces, is_exact);
+  const auto in_plane = static_cast<std::size_t>(std::ranges::count_if(doubts.faces, is_exact));
+  if (first_near != doubts.faces.end())
+    warnings.push_back(
+        fmt::format("{} of faces lie on each other but for rounding (closer than {:.3g}; first: {}), so that the last "
+                    "digits of their corners decide which is seen: cut one away, or move it",
+                    pairs(doubts.faces.size() - in_plane), doubts.distance, faces_of(*first_near)));
+  if (first_in_plane != doubts.faces.end())
+    warnings.push_back(
+        fmt::format("{} of faces lie on each other in one plane (first: {}), where a rule says which is seen, until "
+                    "the scene is turned and rounded: cut one away, or move it",
+                    pairs(in_plane), faces_of(*first_in_plane)));
+}
+
+std::string panel_warning(const PanelCoincidence& pair, bool snaps) {
+  const std::string what = pair.face ? fmt::format("face {}", pair.face->value) : "panel \"" + pair.other_panel + "\"";
+  const std::string where =
+      fmt::format("panel \"{}\" lies on {} but for rounding ({:.3g} apart)", pair.panel, what, pair.distance);
+  if (snaps) return where + ", and counts as in its plane";
+  return where +
+         ", so that the last digits of its corners decide what hides it: set policy = \"snap\" in [coincidence], or "
+         "move it";
+}
+
+}  // namespace
+
+SurfaceDoubts surface_doubts(const CutMesh& mesh, const MirrorWorld& world, const ReflectionOptions& options) {
+  SurfaceDoubts doubts;
+  doubts.distance = options.coincidence * size_of(mesh);
+  doubts.warped = warped_faces(mesh);
+  if (options.coincidence > 0) doubts.faces = find_coincidences(mesh, doubts.distance);
+  doubts.panels = coincidences_of_panels(mesh, world);
+  return doubts;
+}
+
+std::vector<std::string> warnings_of(const SurfaceDoubts& doubts, bool snaps) {
+  std::vector<std::string> warnings;
+  warn_about_faces(doubts, warnings);
+  for (const PanelCoincidence& pair : doubts.panels) {
+    if (pair.distance > 0) warnings.push_back(panel_warning(pair, snaps));
+  }
+  return warnings;
+}
+
+std::optional<std::string> eye_warning(const PolygonMesh& mesh, const Camera& camera, double distance) {
+  if (camera.projection != Projection::perspective) return std::nullopt;
+  const std::vector<FaceId> faces = faces_at(mesh, camera.origin, distance);
+  if (faces.empty()) return std::nullopt;
+  return fmt::format(
+      "the eye is on face {} (closer than {:.3g}), so that rounding decides whether the face is seen: move the eye "
+      "away from it",
+      faces.front().value, distance);
+}
+
+}  // namespace sightline::cli
