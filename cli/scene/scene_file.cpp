@@ -10,6 +10,7 @@
 #include <optional>
 #include <set>
 
+#include "cli/scene/camera_tables.h"
 #include "cli/scene/scene_tables.h"
 #include "cli/scene/toml_reader.h"
 #include "formats/reading/printable.h"

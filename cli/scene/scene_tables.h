@@ -1,22 +1,15 @@
-// One [[camera]], one [[panel]] and the [reflection] of a scene file.
+// One [[panel]] and the [reflection] of a scene file.
 //
-// A camera has a name and exactly one of these forms (units of the mesh, angles in degrees, images in pixels):
-//   pinhole        eye, target, fov_y_deg, and optionally up, aspect, near, far
-//   orthographic   eye, target, orthographic_height, and optionally up, aspect, near, far
-//   matrix         P (3x4), image, and optionally pixel_origin, near, far
-//   calibrated     K (3x3), R (3x3), t (3), image, and optionally pixel_origin, near, far
 // A panel has a name that is a word, corners, and optionally what it emits; a reflection has a mode and what belongs to it.
-// Errors: InputError with file and line, also for a camera that defines no view and corners that are no planar polygon.
+// Errors: InputError with file and line, also for corners that are no planar polygon.
 #pragma once
 
 #include "cli/scene/toml_reader.h"
-#include "geometry/projection/camera.h"
 #include "reflect/world/panel.h"
 #include "reflect/world/reflection_options.h"
 
 namespace sightline::cli {
 
-[[nodiscard]] Camera read_camera(const TomlReader& table);
 [[nodiscard]] Panel read_panel(const TomlReader& table);
 [[nodiscard]] ReflectionOptions read_reflection(const TomlReader& table);
 
