@@ -121,7 +121,7 @@ TEST_CASE("a grid is across the view, from the top left, and its cameras look in
 
 TEST_CASE("rigs and groups that are none are refused") {
   const std::string head = "[[cameras]]\n";
-  check_refused("cameras = 1\n", 3, "must be an array of tables: [[cameras]]");
+  check_refused("[cameras]\nfile = \"a\"\n", 3, "must be an array of tables: [[cameras]]");
   check_refused(head, 3, "none of file, ring, sphere, grid");
   check_refused(head + "ring = 1\nfov_y_deg = 40\n", 4, "'ring' must be a table");
   check_refused(head + "ring = { number = 4, radius = 1 }\n", 3, "none of fov_y_deg");
