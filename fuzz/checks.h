@@ -22,6 +22,10 @@ void check_obj(std::string_view bytes);
 // comes of it sees a fixed small mesh, valid at every stage.
 void check_scene_file(std::string_view bytes);
 
+// The bytes are a file of cameras, of whatever format, which scene files name in several ways: it is read or refused with
+// InputError, without opening any file; every camera that comes of it has a folder's name of its own and finite numbers.
+void check_cameras(std::string_view bytes);
+
 // The bytes choose a camera and up to eight faces of three to five corners on a small grid: every stage is valid, and
 // the visible area of each face equals an oracle's: as a rational number where no faces pass through each other and all
 // images lie on the integer oracle's grid, else within what rounding to the grid explains; also of the scene moved off the grid.

@@ -1,4 +1,5 @@
 #include <optional>
+#include <set>
 
 #include "cli/scene/result_names.h"
 #include "cli/scene/scene_file.h"
@@ -16,23 +17,30 @@ std::optional<SceneDescription> scene_or_refused(std::string_view text) {
   const std::string path = "folder/input.toml";
   try {
     const NoFiles no_files;
-    SceneDescription scene = parse_scene(text, path);
+    // Every other file is a table of one camera.
+    const auto table = [](const std::string& /*path*/) -> std::string {
+      return "name,eye_x,eye_y,eye_z,target_x,target_y,target_z,fov_y_deg\na/b.png,0,0,5,0,0,0,40\n";
+    };
+    SceneDescription scene = parse_scene(text, path, table);
     if (NoFiles::was_tried()) throw Finding("a file was opened");
     return scene;
   } catch (const InputError& refusal) {
-    check_refusal(refusal, text, path);
+    const std::string message = refusal.what();
+    if (message.starts_with(path + ":")) {
+      check_refusal(refusal, text, path);
+    } else if (text.find("cameras") == std::string_view::npos) {
+      throw Finding("does not name its place: " + message);
+    }
     return std::nullopt;
   }
 }
 
 void check_names(const SceneDescription& scene) {
   if (scene.cameras.empty()) throw Finding("a scene without cameras");
-  for (std::size_t i = 0; i < scene.cameras.size(); ++i) {
-    const std::string& name = scene.cameras[i].name;
-    if (name_defect(name)) throw Finding("a camera's name is no folder's: " + name);
-    for (std::size_t j = 0; j < i; ++j) {
-      if (scene.cameras[j].name == name) throw Finding("two cameras are called " + name);
-    }
+  std::set<std::string> names;
+  for (const Camera& camera : scene.cameras) {
+    if (name_defect(camera.name)) throw Finding("a camera's name is no folder's: " + camera.name);
+    if (!names.insert(camera.name).second) throw Finding("two cameras are called " + camera.name);
   }
 }
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "cli/results/view_doubts.h"
 #include "cli/system/resources.h"
 #include "formats/writing/window_points.h"
 
@@ -177,6 +178,14 @@ std::vector<std::string> warnings_of(const MeshInput& input, const View& view, s
   return warnings;
 }
 
+void add_doubts(const View& view, Report& report) {
+  const Report::FaceCounts& faces = report.counts.faces;
+  for (const ViewDoubt& doubt : doubts_about_view(view, faces.visible + faces.hidden > 0, faces.back_facing)) {
+    report.warnings.push_back(doubt.full);
+    report.doubts.push_back(doubt.brief);
+  }
+}
+
 }  // namespace
 
 double Report::Seconds::total() const {
@@ -205,6 +214,7 @@ Report make_report(const SceneDescription& scene, const MeshInput& input, const 
   report.predicates = view.segments.statistics.predicates;
   report.doubts = input.doubts;
   report.warnings = warnings_of(input, view, report.below_resolution.count);
+  add_doubts(view, report);
   return report;
 }
 

@@ -104,6 +104,7 @@ struct Report {
   std::uint64_t peak_memory_bytes = 0;
   predicates::Counts predicates;
   std::vector<std::string> warnings;
+  std::vector<std::string> doubts;  // of the warnings those about the camera, in brief
 };
 
 // faces: measure_faces(analysis.view). write_seconds: for the other files.

@@ -45,7 +45,7 @@ Json coincidences_json(const SurfaceDoubts& doubts, bool snaps) {
 
 Json camera_json(const Camera& camera) {
   const Vector3& eye = camera.eye.xyz;
-  return {
+  Json part = {
       {"name", camera.name},
       {"kind", camera.projection == Projection::perspective ? "perspective" : "orthographic"},
       {"rows", {{"right", as_json(camera.right)}, {"up", as_json(camera.up)}, {"forward", as_json(camera.forward)}}},
@@ -54,6 +54,8 @@ Json camera_json(const Camera& camera) {
       {"near", as_json(camera.near_distance)},
       {"far", as_json(camera.far_distance)},
       {"aspect", camera.aspect}};
+  if (camera.matrix_sign) part["matrix_sign"] = *camera.matrix_sign;
+  return part;
 }
 
 Json sides_json(SidesPolicy asked, const SidesDecision& decision) {

@@ -71,11 +71,25 @@ std::string coverage_lines(const Coverage& coverage) {
   return text;
 }
 
+// Says what is odd about cameras, of the first few: a view of nothing is a mistake that is better seen at once.
+std::string doubt_lines(const std::vector<Report>& reports) {
+  constexpr std::size_t most = 8;
+  std::string text;
+  std::size_t count = 0;
+  for (const Report& report : reports) {
+    for (const std::string& doubt : report.doubts) {
+      if (++count <= most) text += fmt::format("  {}: {}\n", shortened(report.camera.name, name_width), doubt);
+    }
+  }
+  return count <= most ? text : text + fmt::format("  and {} more\n", count - most);
+}
+
 std::string warnings_line(const std::vector<Report>& reports) {
   std::size_t count = 0;
   for (const Report& report : reports) count += report.warnings.size();
-  return count == 0 ? ""
-                    : fmt::format("\n{} warning{}: see \"warnings\" in report.json\n", count, count == 1 ? "" : "s");
+  if (count == 0) return "";
+  return fmt::format("\n{} warning{}: see \"warnings\" in report.json\n", count, count == 1 ? "" : "s") +
+         doubt_lines(reports);
 }
 
 }  // namespace

@@ -3,17 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <optional>
 #include <set>
 
+#include "cli/scene/camera_groups.h"
+#include "cli/scene/camera_tables.h"
 #include "cli/scene/coincidence_table.h"
 #include "cli/scene/panel_table.h"
-#include "cli/scene/scene_tables.h"
+#include "cli/scene/reflection_table.h"
 #include "cli/scene/toml_reader.h"
+#include "cli/system/whole_file.h"
 #include "formats/reading/printable.h"
 #include "geometry/numbers/errors.h"
 #include "reconstruct/labelling/labelled_mesh.h"
@@ -22,7 +22,6 @@ namespace sightline::cli {
 
 namespace {
 
-constexpr std::size_t longest_file = std::size_t{64} << 20;
 constexpr std::ptrdiff_t most_dots = 1000;
 constexpr std::size_t longest_description = 300;  // of what is wrong with a TOML text
 
@@ -98,12 +97,35 @@ const toml::array* table_array(const toml::table& root, const std::string& path,
   return node->as_array();
 }
 
-std::vector<Camera> read_cameras(const toml::table& root, const std::string& path) {
+// Adds the cameras of each [[cameras]]; names are distinct among all.
+void add_camera_groups(const toml::table& root, const std::string& path, const FileSource& files,
+                       std::vector<Camera>& cameras) {
+  const toml::array* elements = table_array(root, path, "cameras");
+  if (elements == nullptr) return;
+  std::set<std::string> names;
+  for (const Camera& camera : cameras) names.insert(camera.name);
+  for (const toml::node& element : *elements) {
+    const std::size_t line = element.source().begin.line;
+    if (!element.is_table()) throw InputError(path, line, "'cameras' must be an array of tables: [[cameras]]");
+    const TomlReader table{*element.as_table(), path, "[[cameras]]", line};
+    for (Camera& camera : read_camera_group(table, path, files)) {
+      if (!names.insert(camera.name).second)
+        table.fail(fmt::format("a second camera is called \"{}\"; set another prefix", camera.name));
+      cameras.push_back(std::move(camera));
+    }
+  }
+}
+
+std::vector<Camera> read_cameras(const toml::table& root, const std::string& path, const FileSource& files) {
+  std::vector<Camera> cameras;
   const toml::array* elements = table_array(root, path, "camera");
-  if (elements == nullptr) throw InputError(path, 0, "there is no [[camera]]; add at least one");
-  if (elements->empty())
-    throw InputError(path, elements->source().begin.line, "there is no [[camera]]; add at least one");
-  return read_tables<Camera>(*elements, path, "camera", read_camera);
+  if (elements != nullptr) cameras = read_tables<Camera>(*elements, path, "camera", read_camera);
+  add_camera_groups(root, path, files, cameras);
+  if (cameras.empty()) {
+    throw InputError(path, elements == nullptr ? 0 : elements->source().begin.line,
+                     "there is no [[camera]]; add at least one, or [[cameras]] of a file");
+  }
+  return cameras;
 }
 
 std::vector<Panel> read_panels(const toml::table& root, const std::string& path) {
@@ -151,36 +173,27 @@ std::optional<SidesPolicy> sides_policy(std::string_view word) {
 }
 
 SceneDescription parse_scene(std::string_view text, const std::string& path) {
+  return parse_scene(text, path, [](const std::string& file) { return whole_file(file, "the file of cameras"); });
+}
+
+SceneDescription parse_scene(std::string_view text, const std::string& path, const FileSource& files) {
   const toml::table root = parsed(text, path);
-  TomlReader(root, path, "the scene file", 0).allow_only({"mesh", "camera", "panel", "reflection", "coincidence"});
+  TomlReader(root, path, "the scene file", 0)
+      .allow_only({"mesh", "camera", "cameras", "panel", "reflection", "coincidence"});
   const TomlReader mesh = mesh_table(root, path);
   mesh.allow_only({"file", "sides"});
   SceneDescription scene;
   scene.file = path;
   scene.mesh_file = (std::filesystem::path(path).parent_path() / read_file_name(mesh)).string();
   scene.sides = read_sides(mesh);
-  scene.cameras = read_cameras(root, path);
+  scene.cameras = read_cameras(root, path, files);
   scene.panels = read_panels(root, path);
   scene.reflection = read_reflection(root, path);
   return scene;
 }
 
 SceneDescription read_scene_file(const std::string& path) {
-  const auto unreadable = [&](int cause) {
-    return InputError(path, 0, fmt::format("the scene file cannot be read: {}", std::strerror(cause)));
-  };
-  if (std::filesystem::is_directory(path)) throw unreadable(EISDIR);
-  errno = 0;
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw unreadable(errno);
-  std::string text;
-  for (std::string chunk(1 << 16, '\0'); file.read(chunk.data(), 1 << 16), file.gcount() > 0;) {
-    text.append(chunk, 0, static_cast<std::size_t>(file.gcount()));
-    if (text.size() > longest_file)
-      throw InputError(path, 0, fmt::format("a scene file has at most {} bytes", longest_file));
-  }
-  if (file.bad()) throw unreadable(EIO);
-  return parse_scene(text, path);
+  return parse_scene(whole_file(path, "the scene file"), path);
 }
 
 }  // namespace sightline::cli

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "cli/cameras/camera_request.h"
 #include "geometry/projection/camera.h"
 #include "geometry/projection/culling.h"
 #include "reflect/world/panel.h"
@@ -29,7 +30,8 @@ struct SceneDescription {
 
 [[nodiscard]] SceneDescription read_scene_file(const std::string& path);
 
-// The same for a text in memory; path is for messages and for what is relative to it.
+// The same for a text in memory; path is for messages and for what is relative to it. files: gives what camera files have.
+[[nodiscard]] SceneDescription parse_scene(std::string_view text, const std::string& path, const FileSource& files);
 [[nodiscard]] SceneDescription parse_scene(std::string_view text, const std::string& path);
 
 // A scene file, or, where a camera comes with it, a mesh that this camera sees.

@@ -71,6 +71,56 @@ std::vector<Vector3> TomlReader::points(std::string_view key) const {
   return result;
 }
 
+std::vector<std::vector<double>> TomlReader::rows(std::string_view key) const {
+  const toml::node& value = node(key);
+  const toml::array* elements = value.as_array();
+  std::vector<std::vector<double>> result;
+  for (std::size_t i = 0; elements != nullptr && i < elements->size(); ++i) {
+    const toml::array* row = elements->get(i)->as_array();
+    result.emplace_back();
+    if (row == nullptr) elements = nullptr;
+    for (std::size_t j = 0; row != nullptr && j < row->size(); ++j)
+      result.back().push_back(finite_number(*row->get(j), key));
+  }
+  if (elements == nullptr) fail(key, fmt::format("'{}' must be of the form [[number, ...], ...]", key));
+  return result;
+}
+
+std::vector<std::string> TomlReader::texts(std::string_view key) const {
+  const toml::array* elements = node(key).as_array();
+  if (elements == nullptr) fail(key, fmt::format("'{}' must be of the form [\"text\", ...]", key));
+  std::vector<std::string> result;
+  for (const toml::node& element : *elements) {
+    const auto value = element.value_exact<std::string>();
+    if (!value) throw InputError(*file_, line_of(element), fmt::format("'{}' must be made of texts in quotes", key));
+    result.push_back(*value);
+  }
+  return result;
+}
+
+std::size_t TomlReader::count_of(const toml::node& node, std::string_view key, std::size_t most) const {
+  const auto value = node.value_exact<std::int64_t>();
+  if (!value || *value < 1 || static_cast<std::uint64_t>(*value) > most)
+    throw InputError(*file_, line_of(node), fmt::format("'{}' must be a whole number from 1 to {}", key, most));
+  return static_cast<std::size_t>(*value);
+}
+
+std::size_t TomlReader::count(std::string_view key, std::size_t most) const { return count_of(node(key), key, most); }
+
+std::vector<std::size_t> TomlReader::counts(std::string_view key, std::size_t most) const {
+  const toml::array* elements = node(key).as_array();
+  if (elements == nullptr) fail(key, fmt::format("'{}' must be of the form [number, ...]", key));
+  std::vector<std::size_t> result;
+  for (const toml::node& element : *elements) result.push_back(count_of(element, key, most));
+  return result;
+}
+
+TomlReader TomlReader::table(std::string_view key) const {
+  const toml::node& value = node(key);
+  if (!value.is_table()) fail(key, fmt::format("'{}' must be a table: {} = {{ ... }}", key, key));
+  return {*value.as_table(), *file_, fmt::format("'{}'", key), line_of(value)};
+}
+
 double TomlReader::finite_number(const toml::node& node, std::string_view key) const {
   if (!node.is_number()) throw InputError(*file_, line_of(node), fmt::format("'{}' must be made of numbers", key));
   const double value =

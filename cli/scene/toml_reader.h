@@ -51,6 +51,18 @@ class TomlReader {
   // [[x, y, z], ...], however many.
   [[nodiscard]] std::vector<Vector3> points(std::string_view key) const;
 
+  // [[number, ...], ...], however many of whatever length.
+  [[nodiscard]] std::vector<std::vector<double>> rows(std::string_view key) const;
+
+  [[nodiscard]] std::vector<std::string> texts(std::string_view key) const;
+
+  // From 1 to `most`.
+  [[nodiscard]] std::size_t count(std::string_view key, std::size_t most) const;
+  [[nodiscard]] std::vector<std::size_t> counts(std::string_view key, std::size_t most) const;
+
+  // A table in this one.
+  [[nodiscard]] TomlReader table(std::string_view key) const;
+
   template <int Columns>
   [[nodiscard]] Eigen::Matrix<double, 3, Columns, Eigen::DontAlign> matrix(std::string_view key) const {
     const toml::array& rows = array(node(key), key, "[[...], [...], [...]]", 3);
@@ -70,6 +82,7 @@ class TomlReader {
   [[nodiscard]] const toml::node& node(std::string_view key) const;
   [[nodiscard]] const toml::array& array(const toml::node& node, std::string_view key, const char* form,
                                          std::size_t size) const;
+  [[nodiscard]] std::size_t count_of(const toml::node& node, std::string_view key, std::size_t most) const;
   [[nodiscard]] double finite_number(const toml::node& node, std::string_view key) const;
 
   template <std::size_t Size>

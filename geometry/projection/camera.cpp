@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <numbers>
+#include <sstream>
 
 #include "geometry/numbers/errors.h"
+#include "geometry/projection/affine_camera.h"
 
 namespace sightline::inline geometry {
 
@@ -43,18 +46,16 @@ Vector3 direction(const Point3& a, const Point3& b) {
   return with_moderate_exponent(finite(difference) ? difference : 0.5 * b - 0.5 * a);
 }
 
-// Returns tan(degrees / 2); 90 degrees give exactly 1, and angles near 180 lose nothing.
-double tangent_of_half(double degrees) {
-  if (degrees > 90) return 1 / tangent_of_half(180 - degrees);
-  const double angle = degrees * (std::numbers::pi / 180);
-  return std::sin(angle) / (1 + std::cos(angle));
-}
-
 void check_view_point(const std::string& name, const ViewPoint& view) {
   require(finite(view.eye), name, "eye is not finite");
   require(finite(view.target), name, "target is not finite");
+  require(finite(view.direction.value_or(view.target)), name, "the view direction is not finite");
   require(finite(view.up), name, "up is not finite");
-  require(!(view.eye == view.target), name, "eye and target are the same point, which gives no view direction");
+  if (view.direction) {
+    require(largest_coordinate(*view.direction) > 0, name, "the view direction has length zero");
+  } else {
+    require(!(view.eye == view.target), name, "eye and target are the same point, which gives no view direction");
+  }
   require(largest_coordinate(view.up) > 0, name, "up has length zero");
   require(std::isfinite(view.aspect) && view.aspect > 0, name, "aspect is not a positive number");
 }
@@ -77,9 +78,13 @@ Camera checked(Camera camera) {
   return camera;
 }
 
+Vector3 view_direction(const ViewPoint& view) {
+  return view.direction ? with_moderate_exponent(*view.direction) : direction(view.eye, view.target);
+}
+
 // half_height is half the window's height, at distance 1 for a pinhole.
 Camera looking_camera(std::string name, const ViewPoint& view, double half_height) {
-  const Vector3 along = direction(view.eye, view.target);
+  const Vector3 along = view_direction(view);
   const Vector3 across = accurate_cross(along, with_moderate_exponent(view.up));
   require(largest_coordinate(across) > 0, name, "up is along the view direction; choose another up");
   Camera camera;
@@ -150,10 +155,14 @@ void check_image(const std::string& name, const PixelImage& image) {
   require(std::isfinite(image.height) && image.height > 0, name, "the image's height is not a positive number");
 }
 
-// Pixels become the window by x = 2 (u + shift) / width - 1 and y = 1 - 2 (v + shift) / height, where shift is half a
-// pixel where the first pixel's centre is (0, 0).
+// The sign of det(P[:, :3]) where the image is not mirrored.
+Sign sign_of_y(const PixelImage& image) { return image.y == ImageY::down ? 1 : -1; }
+
+// Pixels become the window by x = 2 (u + shift) / width - 1 and y = 1 - 2 (v + shift) / height, or minus that, where shift
+// is half a pixel where the first pixel's centre is (0, 0).
 Camera pixel_camera(std::string name, const Matrix34& p, const Point3& origin, const PixelImage& image) {
-  const Matrix34 m = normalised(p);
+  const int down = sign_of_y(image);
+  const Matrix34 m = down * normalised(p);
   const double twice_shift = image.origin == PixelOrigin::center ? 1 : 0;
   const Vector3 depth = with_moderate_exponent(row(m, 2));
   const double length = std::scalbn(length_of_moderate(depth), std::ilogb(largest_coordinate(row(m, 2))));
@@ -161,7 +170,8 @@ Camera pixel_camera(std::string name, const Matrix34& p, const Point3& origin, c
   camera.name = std::move(name);
   camera.forward = unit(depth);
   camera.right = divided(divided(combined(2, row(m, 0), twice_shift - image.width, row(m, 2)), image.width), length);
-  camera.up = divided(divided(combined(-2, row(m, 1), image.height - twice_shift, row(m, 2)), image.height), length);
+  camera.up = divided(
+      divided(combined(-2 * down, row(m, 1), down * (image.height - twice_shift), row(m, 2)), image.height), length);
   camera.origin = origin;
   camera.eye = {origin, 1};
   camera.near_distance = image.near_distance;
@@ -170,13 +180,41 @@ Camera pixel_camera(std::string name, const Matrix34& p, const Point3& origin, c
   return checked(std::move(camera));
 }
 
+// Returns K [R | t].
+Matrix34 projection_of(const std::string& name, const Matrix3& k, const Matrix34& pose, const PixelImage& image) {
+  check_image(name, image);
+  require(finite(k) && finite(pose), name, "K, R or t has an entry that is not finite");
+  require_rotation(name, pose.leftCols<3>());
+  const Matrix34 p = k * pose;
+  require(finite(p), name, "K [R | t] is not finite");
+  require(handedness(p) * sign_of_y(image) > 0, name,
+          image.y == ImageY::down
+              ? "K has no positive determinant; K needs a positive diagonal, or, where the image's y points up, "
+                "image_y = \"up\""
+              : "K has no negative determinant; where the image's y points up the second entry of K's diagonal is "
+                "negative, the others are positive");
+  return p;
+}
+
 }  // namespace
+
+double tangent_of_half(double degrees) {
+  if (degrees > 90) return 1 / tangent_of_half(180 - degrees);
+  const double angle = degrees * (std::numbers::pi / 180);
+  return std::sin(angle) / (1 + std::cos(angle));
+}
 
 Camera perspective_camera(std::string name, const ViewPoint& view, double fov_y_degrees) {
   check_view_point(name, view);
   require(fov_y_degrees > 0 && fov_y_degrees < 180, name,
           "the vertical field of view is not between 0 and 180 degrees");
-  Camera camera = looking_camera(std::move(name), view, tangent_of_half(fov_y_degrees));
+  return pinhole_camera(std::move(name), view, tangent_of_half(fov_y_degrees));
+}
+
+Camera pinhole_camera(std::string name, const ViewPoint& view, double half_height) {
+  check_view_point(name, view);
+  require(std::isfinite(half_height) && half_height > 0, name, "the window's height is not a positive number");
+  Camera camera = looking_camera(std::move(name), view, half_height);
   camera.eye = {view.eye, 1};
   return checked(std::move(camera));
 }
@@ -187,29 +225,80 @@ Camera orthographic_camera(std::string name, const ViewPoint& view, double heigh
   Camera camera = looking_camera(std::move(name), view, height / 2);
   camera.projection = Projection::orthographic;
   // This is not the unit vector: that is rounded, and a face along the given direction would no longer be seen edge-on.
-  camera.eye = {direction(view.target, view.eye), 0};
+  camera.eye = {view.direction ? Vector3(-view_direction(view)) : direction(view.target, view.eye), 0};
   return checked(std::move(camera));
+}
+
+Camera shifted(Camera camera, const std::array<double, 2>& shift) {
+  require(std::isfinite(shift[0]) && std::isfinite(shift[1]), camera.name, "shift is not finite");
+  if (camera.projection == Projection::perspective) {
+    camera.right = combined(-2 * shift[0], camera.forward, 1, camera.right).array() + 0.0;
+    camera.up = combined(-2 * shift[1], camera.forward, 1, camera.up).array() + 0.0;
+  } else {
+    camera.origin += 2 * shift[0] * camera.right / camera.right.squaredNorm();
+    camera.origin += 2 * shift[1] * camera.up / camera.up.squaredNorm();
+  }
+  return checked(std::move(camera));
+}
+
+void require_rotation(const std::string& name, const Matrix3& r) {
+  require(finite(r), name, "R has an entry that is not finite");
+  const double defect = (r * r.transpose() - Matrix3::Identity()).cwiseAbs().maxCoeff();
+  if (!(defect <= rotation_tolerance)) {
+    std::ostringstream size;
+    size << std::setprecision(2) << defect;
+    throw CameraError("camera \"" + name + "\": R is not a rotation: an entry of R R^T - 1 is " + size.str() +
+                      ", and at most 1e-06 is let pass; give R with more digits, or divide it by its scale");
+  }
+  require(orient3d(Point3::Zero(), r.row(0), r.row(1), r.row(2)) > 0, name,
+          "R mirrors: its determinant is -1; turn the sign of one axis");
 }
 
 Camera projection_matrix_camera(std::string name, const Matrix34& p, const PixelImage& image) {
   check_image(name, image);
   require(finite(p), name, "P has an entry that is not finite");
-  require(handedness(p) != 0, name, "the left 3x3 part of P is singular, so the camera has no finite centre");
-  return pixel_camera(std::move(name), p, centre_of_projection(normalised(p)), image);
+  if (is_affine(p)) {
+    require(!image.near_distance && !image.far_distance, name,
+            "P is affine, so that no place on its parallel rays is the eye; leave out near and far");
+    require(
+        is_regular_affine(p), name,
+        "P is singular: its first two rows are parallel, or its last entry is 0, so the camera has no direction; give "
+        "a P of rank 3");
+    return checked(affine_camera(std::move(name), p, image));
+  }
+  const Sign handed = handedness(p);
+  require(handed != 0, name,
+          "the left 3x3 part of P is singular, so the camera has no finite centre; give a P of rank 3, or an affine "
+          "one, whose last row is (0, 0, 0, 1)");
+  Camera camera = pixel_camera(std::move(name), p, centre_of_projection(normalised(p)), image);
+  camera.matrix_sign = handed * sign_of_y(image);
+  return camera;
 }
 
 Camera calibrated_camera(std::string name, const Matrix3& k, const Matrix3& r, const Vector3& t,
                          const PixelImage& image) {
-  check_image(name, image);
-  require(finite(k) && finite(r) && finite(t), name, "K, R or t has an entry that is not finite");
+  require(finite(t), name, "K, R or t has an entry that is not finite");
   Matrix34 pose;
   pose << r, t;
-  const Matrix34 p = k * pose;
-  require(finite(p), name, "K [R | t] is not finite");
-  require(handedness(p) > 0 && handedness(pose) > 0, name,
-          "K R has no positive determinant; K needs a positive diagonal and R must be a rotation");
+  const Matrix34 p = projection_of(name, k, pose, image);
   // K cancels in the null vector of K [R | t].
   return pixel_camera(std::move(name), p, centre_of_projection(pose), image);
+}
+
+CameraPose camera_pose(const Matrix34& camera_to_world, CameraAxes axes) {
+  const double sign = axes == CameraAxes::opencv ? 1 : -1;
+  CameraPose pose;
+  for (int i = 0; i < 3; ++i) pose.rotation.row(i) = ((i == 0 ? 1 : sign) * camera_to_world.col(i)).array() + 0.0;
+  pose.eye = camera_to_world.col(3);
+  return pose;
+}
+
+Camera posed_camera(std::string name, const Matrix3& k, const CameraPose& pose, const PixelImage& image) {
+  require(finite(pose.eye), name, "the eye is not finite");
+  Matrix34 turned;
+  turned << pose.rotation, Vector3::Zero();
+  const Matrix34 p = projection_of(name, k, turned, image);
+  return pixel_camera(std::move(name), p, pose.eye, image);
 }
 
 }  // namespace sightline::inline geometry

@@ -8,13 +8,15 @@
 //
 // The makers below round once, when they compute the rows. Where the eye is not given but derived (projection_matrix,
 // calibrated) it is the matrix' null vector, rounded to double: it is the centre of projection and the eye of every
-// depth decision.
+// depth decision. Of an affine P the direction towards the viewer is.
 //
 // Sources: Fang 1993, section 5.2.2 and appendix A (view transformation); Koucky 2014, 2.3.1 (K [R | t]).
 // Errors: CameraError from every maker: a direction of length zero, up along the view direction, an angle not in (0,
-// 180), aspect or height not positive, a matrix without a finite centre, near >= far, anything not finite.
+// 180), aspect or height not positive, a matrix that is singular, an R that is no rotation, near >= far, anything not
+// finite.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 
@@ -37,6 +39,8 @@ struct Camera {
   std::optional<double> near_distance = std::nullopt;
   std::optional<double> far_distance = std::nullopt;
   double aspect = 1;  // the window's width over its height, for display only
+  // Of a camera that was made of a matrix P: 1 where P says what is in front, -1 where -P does (ImageY).
+  std::optional<int> matrix_sign = std::nullopt;
 };
 
 struct ViewPoint {
@@ -46,13 +50,24 @@ struct ViewPoint {
   double aspect = 1;
   std::optional<double> near_distance = std::nullopt;
   std::optional<double> far_distance = std::nullopt;
+  std::optional<Vector3> direction = std::nullopt;  // of the view, in place of target
 };
 
 // fov_y is the full vertical angle in degrees, in (0, 180).
 [[nodiscard]] SIGHTLINE_EXPORT Camera perspective_camera(std::string name, const ViewPoint& view, double fov_y_degrees);
 
+// half_height is half the window's height at distance 1: the tangent of half the vertical angle.
+[[nodiscard]] SIGHTLINE_EXPORT Camera pinhole_camera(std::string name, const ViewPoint& view, double half_height);
+
+// Returns tan(degrees / 2) of an angle in (0, 180); 90 degrees give exactly 1, and angles near 180 lose nothing.
+[[nodiscard]] SIGHTLINE_EXPORT double tangent_of_half(double degrees);
+
 // height is the window's height in input units.
 [[nodiscard]] SIGHTLINE_EXPORT Camera orthographic_camera(std::string name, const ViewPoint& view, double height);
+
+// The same camera with its window moved in its plane by so many widths to the right and heights up: with {0.5, 0} what was
+// at its centre is at its left border. The view direction, and the plane, stay.
+[[nodiscard]] SIGHTLINE_EXPORT Camera shifted(Camera camera, const std::array<double, 2>& shift);
 
 // Unaligned, as Matrix3 is: what holds one needs no storage of its own kind.
 using Matrix3 = Eigen::Matrix3d;
@@ -62,19 +77,50 @@ using Matrix34 = Eigen::Matrix<double, 3, 4, Eigen::DontAlign>;
 // 0).
 enum class PixelOrigin { corner, center };
 
+// Where the image's y points to: from the first row of pixels to the last, or, as OpenGL and VTK have it, from the last
+// to the first.
+enum class ImageY { down, up };
+
 struct PixelImage {
   double width = 0;
   double height = 0;
   PixelOrigin origin = PixelOrigin::corner;
   std::optional<double> near_distance = std::nullopt;
   std::optional<double> far_distance = std::nullopt;
+  ImageY y = ImageY::down;
 };
 
-// Pixels have x to the right and y down; the camera looks along z. P maps (v, 1) to homogeneous pixels. P and -P are
-// the same camera; the one with det(P[:, :3]) > 0 is meant (K with a positive diagonal and R a rotation).
+// R is a rotation where no entry of R R^T - 1 is larger: what digits that were written leave, not a shear or a scale.
+constexpr double rotation_tolerance = 1e-6;
+
+// Throws a CameraError with the size of the defect where r is no rotation.
+SIGHTLINE_EXPORT void require_rotation(const std::string& name, const Matrix3& r);
+
+// Pixels have x to the right, and y as the image says; the camera looks along z. P maps (v, 1) to homogeneous pixels. P
+// and -P have the same image, and see opposite halves of space: meant is the one whose image is not mirrored, that is,
+// with det(P[:, :3]) > 0 where y points down, and < 0 where it points up. K has a positive diagonal (its second entry
+// negative where y points up), and R is a rotation. A P whose last row is (0, 0, 0, w) is affine: parallel rays, with no
+// near and far.
 [[nodiscard]] SIGHTLINE_EXPORT Camera projection_matrix_camera(std::string name, const Matrix34& p,
                                                                const PixelImage& image);
 [[nodiscard]] SIGHTLINE_EXPORT Camera calibrated_camera(std::string name, const Matrix3& k, const Matrix3& r,
                                                         const Vector3& t, const PixelImage& image);
+
+// Where a camera is and how it is turned: the rows of `rotation` are the directions of x, to the right, of y, down, and
+// of the view.
+struct CameraPose {
+  Matrix3 rotation = Matrix3::Identity();
+  Point3 eye = Point3::Zero();
+};
+
+// Axes of a camera's frame: x to the right; y down and z along the view (opencv), or y up and z against it (opengl).
+enum class CameraAxes { opencv, opengl };
+
+// camera_to_world takes a place in the camera's frame to the input's: its last column is the eye.
+[[nodiscard]] SIGHTLINE_EXPORT CameraPose camera_pose(const Matrix34& camera_to_world, CameraAxes axes);
+
+// The same as calibrated_camera with t = -R eye, but that the eye is what is given.
+[[nodiscard]] SIGHTLINE_EXPORT Camera posed_camera(std::string name, const Matrix3& k, const CameraPose& pose,
+                                                   const PixelImage& image);
 
 }  // namespace sightline::inline geometry

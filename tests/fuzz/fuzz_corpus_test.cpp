@@ -43,6 +43,8 @@ TEST_CASE("the fuzzer's OBJ files") { check_all("obj", sightline::fuzz::check_ob
 
 TEST_CASE("the fuzzer's scene files") { check_all("scene_file", sightline::fuzz::check_scene_file); }
 
+TEST_CASE("the fuzzer's files of cameras") { check_all("cameras", sightline::fuzz::check_cameras); }
+
 TEST_CASE("the fuzzer's scenes on a grid") { check_all("sweep", sightline::fuzz::check_sweep); }
 
 TEST_CASE("the fuzzer's scenes, cut") { check_all("cutting", sightline::fuzz::check_cutting); }

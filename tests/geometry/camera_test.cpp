@@ -294,9 +294,15 @@ TEST_CASE("a matrix that is no camera is an error") {
   const Matrix3 k = intrinsics(500, image);
   const Matrix34 p = product(k, pose);
 
-  const Matrix34 affine{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 0, 1}};
-  CHECK_THROWS_WITH_AS(static_cast<void>(projection_matrix_camera("c", affine, image)), doctest::Contains("singular"),
+  const Matrix34 flat{{1, 0, 0, 0}, {0, 1, 0, 0}, {1, 1, 0, 1}};
+  CHECK_THROWS_WITH_AS(static_cast<void>(projection_matrix_camera("c", flat, image)), doctest::Contains("singular"),
                        CameraError);
+  const Matrix34 line{{1, 2, 0, 0}, {2, 4, 0, 0}, {0, 0, 0, 1}};
+  CHECK_THROWS_WITH_AS(static_cast<void>(projection_matrix_camera("c", line, image)), doctest::Contains("rows are parallel"),
+                       CameraError);
+  const Matrix34 nowhere{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 0, 0}};
+  CHECK_THROWS_WITH_AS(static_cast<void>(projection_matrix_camera("c", nowhere, image)),
+                       doctest::Contains("no direction"), CameraError);
   Matrix34 with_infinity = p;
   with_infinity(1, 3) = infinity;
   CHECK_THROWS_WITH_AS(static_cast<void>(projection_matrix_camera("c", with_infinity, image)),

@@ -1,0 +1,96 @@
+#include "cli/cameras/camera_record.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "geometry/numbers/errors.h"
+
+namespace sightline::cli {
+
+namespace {
+
+[[noreturn]] void refuse_camera_record(const std::string& name, const char* cause) {
+  throw CameraError(fmt::format("camera \"{}\": {}", name, cause));
+}
+
+bool bends_rays(const std::optional<Lens>& lens) {
+  const auto is_zero = [](double k) { return k == 0; };
+  return lens && !(std::ranges::all_of(lens->radial, is_zero) && std::ranges::all_of(lens->tangential, is_zero) &&
+                   lens->model == LensModel::brown);
+}
+
+// What a lens does to a calibrated camera.
+void apply_lens(const std::string& name, const std::optional<Lens>& lens) {
+  if (bends_rays(lens)) {
+    refuse_camera_record(name,
+                         "its lens distorts, and images that a lens distorts are not computed; undistort the images, "
+                         "and give the calibration of these, or set the coefficients to 0");
+  }
+}
+
+Camera calibrated(const Calibration& calibration, const CameraRecord& record, const std::string& name,
+                  const DepthRange& range) {
+  if (!(calibration.width > 0 && calibration.height > 0))
+    refuse_camera_record(name, "the file does not say the size of the image; add image = [width, height]");
+  apply_lens(name, calibration.lens);
+  const PixelImage image{calibration.width, calibration.height, calibration.origin, range.near_distance,
+                         range.far_distance};
+  if (const auto* pose = std::get_if<CameraPose>(&record.place)) return posed_camera(name, calibration.k, *pose, image);
+  if (const auto* pose = std::get_if<WorldToCamera>(&record.place))
+    return calibrated_camera(name, calibration.k, pose->r, pose->t, image);
+  const Camera looking = pinhole_camera(name, std::get<ViewPoint>(record.place), 1);
+  CameraPose pose;
+  pose.rotation << looking.right.transpose(), -looking.up.transpose(), looking.forward.transpose();
+  pose.eye = looking.origin;
+  return posed_camera(name, calibration.k, pose, image);
+}
+
+// The same place as eye, view direction and up.
+ViewPoint view_point(const CameraPose& pose) {
+  ViewPoint view;
+  view.eye = pose.eye;
+  view.direction = Vector3(pose.rotation.row(2));
+  view.up = -pose.rotation.row(1);
+  return view;
+}
+
+Camera with_window(const WindowShape& window, const CameraRecord& record, const std::string& name,
+                   const DepthRange& range) {
+  ViewPoint view;
+  if (const auto* given = std::get_if<ViewPoint>(&record.place)) view = *given;
+  if (const auto* pose = std::get_if<CameraPose>(&record.place)) {
+    require_rotation(name, pose->rotation);
+    view = view_point(*pose);
+  }
+  if (const auto* pose = std::get_if<WorldToCamera>(&record.place)) {
+    require_rotation(name, pose->r);
+    const Camera placed = calibrated_camera(name, Matrix3::Identity(), pose->r, pose->t, {2, 2});
+    view = view_point({pose->r, placed.origin});
+  }
+  view.aspect = window.aspect;
+  view.near_distance = range.near_distance;
+  view.far_distance = range.far_distance;
+  return pinhole_camera(name, view, window.half_height);
+}
+
+}  // namespace
+
+Camera camera_of(const CameraRecord& record, const std::string& name, const DepthRange& range) {
+  if (std::holds_alternative<std::monostate>(record.place)) {
+    refuse_camera_record(name,
+                         "the file does not say where it is; add R and t, or name a file of poses, with this one as "
+                         "its intrinsics");
+  }
+  if (const auto* calibration = std::get_if<Calibration>(&record.image))
+    return calibrated(*calibration, record, name, range);
+  if (const auto* window = std::get_if<WindowShape>(&record.image)) return with_window(*window, record, name, range);
+  refuse_camera_record(name, "the file has poses only; add fov_y_deg, or intrinsics = \"FILE\" with the calibration");
+}
+
+std::string numbered(const std::string& stem, std::size_t index, std::size_t count) {
+  const std::size_t digits = std::max<std::size_t>(2, std::to_string(count).size());
+  return fmt::format("{}-{:0{}}", stem, index + 1, digits);
+}
+
+}  // namespace sightline::cli
