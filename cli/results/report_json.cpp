@@ -12,9 +12,19 @@ Json surface_json(const Report::Surface& surface) {
           {"facets", surface.facets}};
 }
 
+Json lens_json(const LensImage& image) {
+  return {{"model", image.lens.model == LensModel::fisheye ? "fisheye" : "brown"},
+          {"radial", image.lens.radial},
+          {"tangential", image.lens.tangential},
+          {"image", {image.width, image.height}},
+          {"frame_corners", image.frame.size()},
+          {"frame_tolerance", image.frame_tolerance},
+          {"frame_area", frame_area(image)}};
+}
+
 Json camera_json(const Camera& camera) {
   const Vector3& eye = camera.eye.xyz;
-  return {
+  Json part = {
       {"name", camera.name},
       {"kind", camera.projection == Projection::perspective ? "perspective" : "orthographic"},
       {"rows", {{"right", as_json(camera.right)}, {"up", as_json(camera.up)}, {"forward", as_json(camera.forward)}}},
@@ -23,6 +33,8 @@ Json camera_json(const Camera& camera) {
       {"near", as_json(camera.near_distance)},
       {"far", as_json(camera.far_distance)},
       {"aspect", camera.aspect}};
+  if (camera.lens_image) part["lens"] = lens_json(*camera.lens_image);
+  return part;
 }
 
 Json sides_json(SidesPolicy asked, const SidesDecision& decision) {

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "cli/scene/lens_keys.h"
 #include "cli/scene/result_names.h"
 #include "geometry/numbers/errors.h"
 
@@ -84,12 +85,15 @@ Camera read_matrix(const TomlReader& table) {
 }
 
 Camera read_calibrated(const TomlReader& table) {
-  table.allow_only({"name", "K", "R", "t", "image", "pixel_origin", "near", "far"});
+  table.allow_only(
+      {"name", "K", "R", "t", "image", "pixel_origin", "near", "far", "distortion", "fisheye", "frame_tolerance"});
   const std::string name = read_camera_name(table);
   const Matrix3 k = table.matrix<3>("K");
   const Matrix3 r = table.matrix<3>("R");
   const Vector3 t = table.vector("t");
-  return calibrated_camera(name, k, r, t, read_image(table));
+  const PixelImage image = read_image(table);
+  const LensKeys lens = read_lens(table);
+  return calibrated_camera(name, k, r, t, image, lens.lens, lens.frame_tolerance);
 }
 
 // A panel's name is a word in column names, group names and property names.
@@ -150,7 +154,7 @@ double read_crease_angle(const TomlReader& table) {
 
 Camera read_camera(const TomlReader& table) {
   table.allow_only({"name", "eye", "target", "up", "fov_y_deg", "orthographic_height", "aspect", "P", "K", "R", "t",
-                    "image", "pixel_origin", "near", "far"});
+                    "image", "pixel_origin", "near", "far", "distortion", "fisheye", "frame_tolerance"});
   const std::string_view form = form_of(table);
   try {
     if (form == "fov_y_deg") return read_pinhole(table);

@@ -212,4 +212,21 @@ Camera calibrated_camera(std::string name, const Matrix3& k, const Matrix3& r, c
   return pixel_camera(std::move(name), p, centre_of_projection(pose), image);
 }
 
+Camera calibrated_camera(std::string name, const Matrix3& k, const Matrix3& r, const Vector3& t,
+                         const PixelImage& image, const Lens& lens, double frame_tolerance) {
+  if (!bends(lens)) return calibrated_camera(std::move(name), k, r, t, image);
+  check_image(name, image);
+  require(finite(k), name, "K has an entry that is not finite");
+  const double first = image.origin == PixelOrigin::center ? -0.5 : 0;
+  LensImage bent = make_lens_image(name, k, lens, first, image.width, image.height, frame_tolerance);
+  Matrix3 in_window = k;
+  in_window(0, 2) -= bent.left;
+  in_window(1, 2) -= bent.top;
+  const PixelImage window{bent.window_width, bent.window_height, PixelOrigin::corner, image.near_distance,
+                          image.far_distance};
+  Camera camera = calibrated_camera(std::move(name), in_window, r, t, window);
+  camera.lens_image = std::move(bent);
+  return camera;
+}
+
 }  // namespace sightline::inline geometry

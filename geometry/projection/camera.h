@@ -10,9 +10,12 @@
 // calibrated) it is the matrix' null vector, rounded to double: it is the centre of projection and the eye of every
 // depth decision.
 //
+// A camera with a lens is the ideal pinhole with a window around all that the lens shows, and the frame of that
+// (lens_image.h): what lies outside the frame is out of view (frame_cut.h).
+//
 // Sources: Fang 1993, section 5.2.2 and appendix A (view transformation); Koucky 2014, 2.3.1 (K [R | t]).
 // Errors: CameraError from every maker: a direction of length zero, up along the view direction, an angle not in (0,
-// 180), aspect or height not positive, a matrix without a finite centre, near >= far, anything not finite.
+// 180), aspect or height not positive, a matrix without a finite centre, near >= far, a lens that folds, anything not finite.
 #pragma once
 
 #include <optional>
@@ -21,6 +24,7 @@
 #include "geometry/numbers/export.h"
 #include "geometry/numbers/predicates.h"
 #include "geometry/numbers/vector3.h"
+#include "geometry/projection/lens_image.h"
 
 namespace sightline::inline geometry {
 
@@ -37,6 +41,7 @@ struct Camera {
   std::optional<double> near_distance = std::nullopt;
   std::optional<double> far_distance = std::nullopt;
   double aspect = 1;  // the window's width over its height, for display only
+  std::optional<LensImage> lens_image = std::nullopt;
 };
 
 struct ViewPoint {
@@ -76,5 +81,9 @@ struct PixelImage {
                                                                const PixelImage& image);
 [[nodiscard]] SIGHTLINE_EXPORT Camera calibrated_camera(std::string name, const Matrix3& k, const Matrix3& r,
                                                         const Vector3& t, const PixelImage& image);
+// The same behind a lens; a lens that does nothing is none. The image is the bent one, frame_tolerance is in its pixels.
+[[nodiscard]] SIGHTLINE_EXPORT Camera calibrated_camera(std::string name, const Matrix3& k, const Matrix3& r,
+                                                        const Vector3& t, const PixelImage& image, const Lens& lens,
+                                                        double frame_tolerance = default_frame_tolerance);
 
 }  // namespace sightline::inline geometry
