@@ -16,7 +16,7 @@
 namespace sightline::inline geometry {
 namespace {
 
-constexpr int frame_bits = 40;  // corners of frames are multiples of 2^-40
+constexpr int frame_bits = 48;  // corners of frames are multiples of 2^-48
 
 // A rectangle of the window.
 struct WindowBox {

@@ -57,7 +57,7 @@ struct RadialForm {
     if (!d.is_positive()) return false;
     const Bounded across = value_at(numerator, s) / d;
     const Bounded along = across + Bounded(2) * s * slope(s);
-    const Bounded least = Bounded(6 * tangential) * Bounded(std::sqrt(high) * (1 + 0x1p-50));
+    const Bounded least = Bounded(6 * tangential) * Bounded(std::sqrt(high) * (1 + 0x1p-48));
     return (across - least).is_positive() && (along - least).is_positive();
   }
 

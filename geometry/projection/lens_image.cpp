@@ -86,10 +86,14 @@ class FrameFinder {
 
   void add_side(const BorderPlace& from, const BorderPlace& to, int depth) {
     constexpr int least_depth = 2;
-    constexpr int most_depth = 16;
-    if (depth == most_depth || (depth >= least_depth && 2 * deviation(from, to) <= image_.frame_tolerance)) {
+    constexpr int most_depth = 13;
+    if (depth >= least_depth && 2 * deviation(from, to) <= image_.frame_tolerance) {
       frame_.push_back(from.ideal);
       return;
+    }
+    if (depth == most_depth) {
+      throw CameraError("camera \"" + camera_ +
+                        "\": the frame has more than 8192 sides along one of the image; give a larger frame_tolerance");
     }
     const Point2 middle{(from.bent.x + to.bent.x) / 2, (from.bent.y + to.bent.y) / 2};
     const BorderPlace between{middle, ideal_pixel(middle)};
@@ -132,7 +136,7 @@ void set_window(LensImage& image, const std::vector<Point2>& frame) {
 }
 
 Point2 frame_corner(const LensImage& image, const Point2& ideal) {
-  const auto on_grid = [](double c) { return std::ldexp(std::nearbyint(std::ldexp(c, 40)), -40) + 0.0; };
+  const auto on_grid = [](double c) { return std::ldexp(std::nearbyint(std::ldexp(c, 48)), -48) + 0.0; };
   return {on_grid(2 * (ideal.x - image.left) / image.window_width - 1),
           on_grid(1 - 2 * (ideal.y - image.top) / image.window_height)};
 }

@@ -8,7 +8,7 @@
 //      come to in the bent image.
 // Holds: the polygon's corners are places that the lens brings to the bent image's border, to 1e-9 pixels; between them its sides,
 //      bent, are off that border by at most `frame_tolerance` pixels. That is an estimate: twice the largest distance of
-//      three places of each side. From there on the polygon is what counts, exactly: its corners are multiples of 2^-40.
+//      three places of each side. From there on the polygon is what counts, exactly: its corners are multiples of 2^-48.
 //      On a region that has the whole frame in it no two places are bent to one (proven_disc in lens.h).
 // Errors: CameraError: the model folds, or the frame reaches 89 degrees or more off the axis.
 #pragma once

@@ -177,6 +177,10 @@ TEST_CASE("A lens that folds within the image, or shows more than a half-space, 
   sheared(2, 0) = 1e-4;
   CHECK_THROWS_AS(static_cast<void>(behind(brown({-0.1, 0, 0, 0, 0, 0}), sheared, {1920, 1080})), CameraError);
   CHECK_THROWS_AS(static_cast<void>(behind(brown({-0.1, 0, 0, 0, 0, 0}), short_focus, {1920, 1080}, 0)), CameraError);
+  CHECK_THROWS_WITH_AS(
+      static_cast<void>(behind(brown({-0.1, 0, 0, 0, 0, 0}), camera_matrix(1000, 1000, 960, 540), {1920, 1080}, 1e-9)),
+      doctest::Contains("give a larger frame_tolerance"), CameraError);
+  CHECK(refusal(brown({1e300, -1e300, 1e300, 0, 0, 0})).find("folds at r = ") != std::string::npos);
   CHECK(refusal(brown({-0.3, 0, 0, 0, 0, 0})).find("folds") != std::string::npos);
   CHECK(refusal(brown({-0.11, 0, 0, 0, 0, 0})).empty());
 }
@@ -218,7 +222,7 @@ TEST_CASE("The frame's corners are on the bent image's border, and its sides kee
     for (std::size_t c = 0; c < image.frame.size(); ++c) {
       const Point2& p = image.frame[c];
       const Point2& q = image.frame[(c + 1) % image.frame.size()];
-      CHECK(off_border(p) < 2e-9);  // half a spacing of 2^-40 is 1e-9 of its pixels
+      CHECK(off_border(p) < 1e-9);
       for (const double t : {0.1, 0.3, 0.6, 0.9})
         CHECK(off_border({p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)}) <= tolerance);
     }
