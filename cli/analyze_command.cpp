@@ -73,7 +73,7 @@ Report written_report(const SceneDescription& scene, const MeshInput& input, con
 Report camera_report(const SceneDescription& scene, const MeshInput& input, const ViewAnalysis& analysis,
                      Output* output, Progress& progress) {
   if (output == nullptr) return make_report(scene, input, analysis, measure_faces(analysis.view), 0);
-  output->seen.push_back(seen_part(analysis.view.labelled));
+  output->seen.push_back(seen_part(analysis.view.labelled, analysis.view.mesh()));
   progress.stage(analysis.view.scene.camera.name + ": write the results");
   return written_report(scene, input, analysis, *output);
 }

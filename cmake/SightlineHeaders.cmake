@@ -57,6 +57,8 @@ set(sightline_headers
   geometry/numbers/image_point.h
   geometry/numbers/predicates.h
   geometry/projection/clipping.h
+  geometry/projection/lens.h
+  geometry/projection/lens_image.h
   geometry/projection/exact_place.h
   sweep/plain/depth_ranges.h
   sweep/segments/swap_edge.h)

@@ -1,5 +1,7 @@
 #include "coverage/seen_part.h"
 
+#include "geometry/projection/frame_cut.h"
+
 namespace sightline::inline coverage {
 namespace {
 
@@ -44,6 +46,12 @@ SeenPart seen_part(const LabelledMesh& labelled) {
     while (end < all.size() && all[end].surface == all[first].surface) ++end;
     add(part, labelled, all.subspan(first, end - first));
   }
+  return part;
+}
+
+SeenPart seen_part(const LabelledMesh& labelled, const CutMesh& mesh) {
+  SeenPart part = seen_part(labelled);
+  for (SeenSurface& surface : part.surfaces) surface.surface = surface_before_frame(mesh, surface.surface);
   return part;
 }
 

@@ -46,4 +46,8 @@ struct SeenPart {
 
 [[nodiscard]] SIGHTLINE_EXPORT SeenPart seen_part(const LabelledMesh& labelled);
 
+// The same of a view's labelled surface and its mesh, which was cut where the camera has a lens: surfaces are called as before,
+// as those of the other cameras.
+[[nodiscard]] SIGHTLINE_EXPORT SeenPart seen_part(const LabelledMesh& labelled, const CutMesh& mesh);
+
 }  // namespace sightline::inline coverage

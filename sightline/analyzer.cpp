@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "geometry/cutting/common_lines.h"
+#include "geometry/numbers/errors.h"
+#include "geometry/projection/frame_cut.h"
 #include "reflect/triangles/reflecting_triangles.h"
 
 namespace sightline {
@@ -81,12 +83,21 @@ SidesDecision Analyzer::sides(const Camera& camera) const {
   return decide_sides(*mesh_, contacts_.value_or(MeshContacts{}), camera, options_.sides);
 }
 
+std::shared_ptr<const CutMesh> Analyzer::framed(const Camera& camera) const {
+  if (!camera.lens_image) return mesh_;
+  if (options_.precision.arithmetic != Arithmetic::unrounded || mesh_->is_cut()) {
+    throw CameraError("camera \"" + camera.name +
+                      "\" has a lens, which needs arithmetic without rounding; leave --arithmetic and --grid-bits out");
+  }
+  return std::make_shared<const CutMesh>(cut_along_frame(*mesh_, camera));
+}
+
 Visibility Analyzer::find_visible(const Camera& camera) const {
   AnalysisHook* const hook = options_.hook;
   Visibility found;
   found.sides = in_stage(hook, Stage::sides, [&] { return sides(camera); });
-  found.scene =
-      in_stage(hook, Stage::project, [&] { return project(mesh_, camera, found.sides.sides, options_.precision); });
+  found.scene = in_stage(hook, Stage::project,
+                         [&] { return project(framed(camera), camera, found.sides.sides, options_.precision); });
   if (hook != nullptr) hook->projected(found.scene);
   found.segments = in_stage(hook, Stage::sweep, [&] {
     return find_visible_segments(found.scene, options_.engine, hook != nullptr ? hook->sweep_observer() : nullptr);
@@ -94,6 +105,13 @@ Visibility Analyzer::find_visible(const Camera& camera) const {
   found.polygons =
       in_stage(hook, Stage::reconstruct, [&] { return reconstruct_polygons(found.scene, found.segments); });
   return found;
+}
+
+// Its mirrors are the facets that the view has; what is in the way are uncut facets, which keep their numbers.
+MirrorWorld Analyzer::framed(const MirrorWorld& world, const View& view) const {
+  MirrorWorld of_view = world;
+  of_view.surface = view.scene.surface;
+  return of_view;
 }
 
 void Analyzer::reflect(const MirrorWorld& world, View& view) const {
@@ -115,6 +133,8 @@ void Analyzer::label(View& view) const {
 View Analyzer::find_view(const Camera& camera, const MirrorWorld* world) const {
   return by_threads(options_.threads, [&] {
     View view{find_visible(camera), {}, {}};
+    std::optional<MirrorWorld> of_view;
+    if (world != nullptr && camera.lens_image) world = &of_view.emplace(framed(*world, view));
     const bool marks_triangles = options_.reflection.mode == ReflectionMode::triangles;
     if (world != nullptr && !marks_triangles) reflect(*world, view);
     label(view);

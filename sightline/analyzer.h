@@ -9,7 +9,8 @@
 // Holds: views of one analyzer may be asked for by several threads at once, if the hook allows that. A view keeps the
 //      surface alive and does not need the analyzer any more.
 // Complexity: that of the stages; each header says its own.
-// Errors: std::invalid_argument from build_mesh; InternalError; in float and double ArithmeticError instead; what the hook
+//      What a camera with a lens sees is of the surface cut along its frame (geometry/projection/frame_cut.h).
+// Errors: std::invalid_argument from build_mesh; CameraError for a lens on a grid; InternalError; in float and double ArithmeticError instead; what the hook
 //      throws.
 // Source: docs/design.md.
 #pragma once
@@ -58,6 +59,9 @@ class SIGHTLINE_EXPORT Analyzer {
   [[nodiscard]] SidesDecision sides(const Camera& camera) const;
 
  private:
+  // The mesh, or what the camera's lens makes of it: cut along its frame.
+  [[nodiscard]] std::shared_ptr<const CutMesh> framed(const Camera& camera) const;
+  [[nodiscard]] MirrorWorld framed(const MirrorWorld& world, const View& view) const;
   [[nodiscard]] Visibility find_visible(const Camera& camera) const;
   void reflect(const MirrorWorld& world, View& view) const;
   void label(View& view) const;

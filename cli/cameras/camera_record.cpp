@@ -14,36 +14,22 @@ namespace {
   throw CameraError(fmt::format("camera \"{}\": {}", name, cause));
 }
 
-bool bends_rays(const std::optional<Lens>& lens) {
-  const auto is_zero = [](double k) { return k == 0; };
-  return lens && !(std::ranges::all_of(lens->radial, is_zero) && std::ranges::all_of(lens->tangential, is_zero) &&
-                   lens->model == LensModel::brown);
-}
-
-// What a lens does to a calibrated camera.
-void apply_lens(const std::string& name, const std::optional<Lens>& lens) {
-  if (bends_rays(lens)) {
-    refuse_camera_record(name,
-                         "its lens distorts, and images that a lens distorts are not computed; undistort the images, "
-                         "and give the calibration of these, or set the coefficients to 0");
-  }
-}
-
 Camera calibrated(const Calibration& calibration, const CameraRecord& record, const std::string& name,
                   const DepthRange& range) {
   if (!(calibration.width > 0 && calibration.height > 0))
     refuse_camera_record(name, "the file does not say the size of the image; add image = [width, height]");
-  apply_lens(name, calibration.lens);
+  const Lens lens = calibration.lens.value_or(Lens{});
   const PixelImage image{calibration.width, calibration.height, calibration.origin, range.near_distance,
                          range.far_distance};
-  if (const auto* pose = std::get_if<CameraPose>(&record.place)) return posed_camera(name, calibration.k, *pose, image);
+  if (const auto* pose = std::get_if<CameraPose>(&record.place))
+    return posed_camera(name, calibration.k, *pose, image, lens);
   if (const auto* pose = std::get_if<WorldToCamera>(&record.place))
-    return calibrated_camera(name, calibration.k, pose->r, pose->t, image);
+    return calibrated_camera(name, calibration.k, pose->r, pose->t, image, lens);
   const Camera looking = pinhole_camera(name, std::get<ViewPoint>(record.place), 1);
   CameraPose pose;
   pose.rotation << looking.right.transpose(), -looking.up.transpose(), looking.forward.transpose();
   pose.eye = looking.origin;
-  return posed_camera(name, calibration.k, pose, image);
+  return posed_camera(name, calibration.k, pose, image, lens);
 }
 
 // The same place as eye, view direction and up.

@@ -46,9 +46,9 @@ struct DepthRange {
   std::optional<double> far_distance;
 };
 
-// The camera of a record, called `name`. Where a lens bends rays is decided here, for all files.
+// The camera of a record, called `name`.
 // Errors: CameraError where image or place is missing, where the image has no size, where these define no view, and for
-// a lens that is not all zero.
+// a lens that folds.
 [[nodiscard]] Camera camera_of(const CameraRecord& record, const std::string& name, const DepthRange& range);
 
 // Returns STEM-01 for the first of `count`; with as many digits as the last needs.

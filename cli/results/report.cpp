@@ -84,17 +84,18 @@ double sum(const std::vector<FaceMeasures>& faces, double FaceMeasures::*area) {
   return total;
 }
 
-// The polygons' areas are rounded, so that their sum may exceed 4 by a few units in the last place.
-double uncovered_area(const VisiblePolygons& polygons) {
+// The polygons' areas are rounded, so that their sum may exceed all by a few units in the last place.
+double uncovered_area(const Camera& camera, const VisiblePolygons& polygons) {
+  const double all = camera.lens_image ? frame_area(*camera.lens_image) : 4;
   double covered = 0;
   for (const VisiblePolygon& polygon : polygons.polygons) covered += polygon.area;
-  return std::max(0.0, 4 - covered);
+  return std::max(0.0, all - covered);
 }
 
 Report::Areas areas_of(const View& view, const std::vector<FaceMeasures>& faces) {
   return {sum(faces, &FaceMeasures::area), sum(faces, &FaceMeasures::in_view_area),
           sum(faces, &FaceMeasures::visible_area), sum(faces, &FaceMeasures::visible_image_area),
-          uncovered_area(view.polygons)};
+          uncovered_area(view.scene.camera, view.polygons)};
 }
 
 // Twice the area of a triangle in the window.

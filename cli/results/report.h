@@ -52,7 +52,7 @@ struct Report {
     double in_view = 0;
     double visible = 0;
     double image_visible = 0;
-    double image_uncovered = 0;  // of the window's area 4
+    double image_uncovered = 0;  // of the window's area 4, or of the area of a lens's frame
   };
 
   struct ReflectedPanel {

@@ -43,6 +43,16 @@ Json coincidences_json(const SurfaceDoubts& doubts, bool snaps) {
           {"panels", list_json(doubts.panels, panel_pair)}};
 }
 
+Json lens_json(const LensImage& image) {
+  return {{"model", image.lens.model == LensModel::fisheye ? "fisheye" : "brown"},
+          {"radial", image.lens.radial},
+          {"tangential", image.lens.tangential},
+          {"image", {image.width, image.height}},
+          {"frame_corners", image.frame.size()},
+          {"frame_tolerance", image.frame_tolerance},
+          {"frame_area", frame_area(image)}};
+}
+
 Json camera_json(const Camera& camera) {
   const Vector3& eye = camera.eye.xyz;
   Json part = {
@@ -55,6 +65,7 @@ Json camera_json(const Camera& camera) {
       {"far", as_json(camera.far_distance)},
       {"aspect", camera.aspect}};
   if (camera.matrix_sign) part["matrix_sign"] = *camera.matrix_sign;
+  if (camera.lens_image) part["lens"] = lens_json(*camera.lens_image);
   return part;
 }
 

@@ -33,11 +33,12 @@ std::string table_head() {
          line("camera", "visible", "ing", "hidden", "view", "facing", "visible", "filled", "s");
 }
 
-// reflecting: of the visible faces those that show a panel. window filled: the share of the window that the surface
-// covers.
+// reflecting: of the visible faces those that show a panel. window filled: the share of the window, or of a lens's frame in it,
+// that the surface covers.
 std::string camera_line(const Report& report) {
   const Report::FaceCounts& faces = report.counts.faces;
-  const double filled = 100 * (1 - report.areas.image_uncovered / 4);
+  const double all = report.camera.lens_image ? frame_area(*report.camera.lens_image) : 4;
+  const double filled = 100 * (1 - report.areas.image_uncovered / all);
   return fmt::format(camera_table_line, shortened(report.camera.name, camera_width), faces.visible, faces.reflecting,
                      faces.hidden, faces.out_of_view, faces.back_facing, fmt::format("{:.6g}", report.areas.visible),
                      fmt::format("{:.1f} %", filled), fmt::format("{:.3f}", report.seconds.total()));

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "cli/scene/lens_keys.h"
 #include "cli/scene/result_names.h"
 #include "geometry/numbers/errors.h"
 
@@ -149,19 +150,20 @@ Camera read_matrix(const TomlReader& table) {
 }
 
 Camera read_calibrated(const TomlReader& table) {
-  table.allow_only(
-      {"name", "K", "R", "t", "camera_to_world", "axes", "image", "pixel_origin", "image_y", "near", "far"});
+  table.allow_only({"name", "K", "R", "t", "camera_to_world", "axes", "image", "pixel_origin", "image_y", "near", "far",
+                    "distortion", "fisheye", "frame_tolerance"});
   const std::string name = read_camera_name(table);
   const Matrix3 k = table.matrix<3>("K");
+  const LensKeys lens = read_lens(table);
   if (table.has("camera_to_world")) {
     refuse_beside(table, "camera_to_world", {"R", "t"});
     const CameraPose pose = read_camera_pose(table);
-    return posed_camera(name, k, pose, read_image(table));
+    return posed_camera(name, k, pose, read_image(table), lens.lens, lens.frame_tolerance);
   }
   if (table.has("axes")) table.fail("axes", "'axes' goes with 'camera_to_world'; leave it out");
   const Matrix3 r = table.matrix<3>("R");
   const Vector3 t = table.vector("t");
-  return calibrated_camera(name, k, r, t, read_image(table));
+  return calibrated_camera(name, k, r, t, read_image(table), lens.lens, lens.frame_tolerance);
 }
 
 }  // namespace
@@ -230,7 +232,10 @@ Camera read_camera(const TomlReader& table) {
                     "pixel_origin",
                     "image_y",
                     "near",
-                    "far"});
+                    "far",
+                    "distortion",
+                    "fisheye",
+                    "frame_tolerance"});
   const std::string_view form = form_of(table);
   try {
     if (form == "P") return read_matrix(table);

@@ -3,11 +3,6 @@
 #include <fmt/format.h>
 
 #include <string>
-#include <string_view>
-#include <vector>
-
-#include "cli/scene/result_names.h"
-#include "geometry/numbers/errors.h"
 
 namespace sightline::cli {
 

@@ -58,6 +58,16 @@ Vector3 TomlReader::vector(std::string_view key) const {
   return {x, y, z};
 }
 
+std::vector<double> TomlReader::numbers(std::string_view key) const {
+  const toml::node& value = node(key);
+  const toml::array* entries = value.as_array();
+  if (entries == nullptr)
+    throw InputError(*file_, line_of(value), fmt::format("'{}' must be of the form [number, ...]", key));
+  std::vector<double> result;
+  for (const toml::node& entry : *entries) result.push_back(finite_number(entry, key));
+  return result;
+}
+
 std::vector<Vector3> TomlReader::points(std::string_view key) const {
   const toml::node& value = node(key);
   const toml::array* rows = value.as_array();

@@ -48,6 +48,9 @@ class TomlReader {
   [[nodiscard]] Vector3 vector(std::string_view key) const;
   [[nodiscard]] std::array<double, 2> pair(std::string_view key) const { return row<2>(node(key), key); }
 
+  // [number, ...], however many.
+  [[nodiscard]] std::vector<double> numbers(std::string_view key) const;
+
   // [[x, y, z], ...], however many.
   [[nodiscard]] std::vector<Vector3> points(std::string_view key) const;
 

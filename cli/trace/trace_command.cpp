@@ -40,6 +40,12 @@ std::string list_of_examples() {
 Traced of_scene_file(const TraceOptions& options) {
   const SceneDescription scene = read_scene_file(*options.input);
   const Camera& camera = options.camera ? camera_named(scene, *options.camera) : only_camera(scene);
+  if (camera.lens_image) {
+    throw InputError(scene.file, 0,
+                     fmt::format("camera '{}' has a lens, whose frame has too many sides to be followed; leave "
+                                 "'distortion' or 'fisheye' out",
+                                 camera.name));
+  }
   Progress silent(false);
   MeshInput input = read_mesh(scene.mesh_file, Normals::passed_over, default_memory_limit(), silent);
   const Analyzer analyzer(std::move(input.mesh), {.sides = options.sides.value_or(scene.sides), .precision = {}});

@@ -1,6 +1,7 @@
 #include "formats/writing/segments_table.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "formats/writing/window_points.h"
 
@@ -28,16 +29,18 @@ MeshEdgeId edge_under(const ProjectedScene& scene, const VisibleSegment& segment
 }
 
 constexpr const char* common_line = "common";
+constexpr const char* border_line = "border";
 
-// An edge is named by its ends. A piece of an edge of the input is named as that edge is.
+// An edge is named by its ends. A piece of an edge of the input is named as that edge is; where a lens is in use, only its frame
+// makes others.
 void write_edge(const CutMesh& mesh, MeshEdgeId edge, TextBuffer& out) {
   if (!edge.valid()) {
-    out << "border";
+    out << border_line;
     return;
   }
   const auto& ends = mesh.is_cut() ? mesh.cuts.input_edge[edge.index()] : mesh.edges[edge.index()];
   if (!ends[0].valid()) {
-    out << common_line;
+    out << (mesh.cuts.outside_frame.empty() ? common_line : border_line);
     return;
   }
   const auto [low, high] = std::minmax(ends[0], ends[1]);
@@ -49,7 +52,12 @@ void write_edge(const CutMesh& mesh, MeshEdgeId edge, TextBuffer& out) {
 void write_segments_table(const View& view, const std::vector<Point2>& places, TextBuffer& out) {
   const CutMesh& mesh = view.scene.mesh();
   const PlaceTexts texts(places);
-  out << "face,start_x,start_y,end_x,end_y,edge,other_face\n";
+  const Camera& camera = view.scene.camera;
+  std::optional<PlaceTexts> pixels;
+  if (camera.lens_image) pixels.emplace(bent_pixels(camera, places));
+  out << "face,start_x,start_y,end_x,end_y,edge,other_face";
+  if (pixels) out << ",start_pixel_x,start_pixel_y,end_pixel_x,end_pixel_y";
+  out << '\n';
   for (const VisibleSegment& segment : view.segments.segments) {
     out << face_of(mesh, segment.facet).value << ',' << texts.x(segment.start) << ',' << texts.y(segment.start) << ','
         << texts.x(segment.end) << ',' << texts.y(segment.end) << ',';
@@ -60,6 +68,10 @@ void write_segments_table(const View& view, const std::vector<Point2>& places, T
     }
     out << ',';
     if (segment.other.valid()) out << face_of(mesh, segment.other).value;
+    if (pixels) {
+      out << ',' << pixels->x(segment.start) << ',' << pixels->y(segment.start) << ',' << pixels->x(segment.end) << ','
+          << pixels->y(segment.end);
+    }
     out << '\n';
   }
 }

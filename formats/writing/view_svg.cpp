@@ -15,6 +15,15 @@ namespace {
 
 constexpr double image_height = 800;  // pixels, for viewers that ask for a size
 
+constexpr double bent_tolerance = 0.05;  // pixels by which lines that a lens bends may be off
+
+// The drawing is in window units, or in pixels of the image that a lens bends.
+struct Sheet {
+  const Camera& camera;
+  const std::vector<Point2>& places;
+  const PlaceTexts& texts;
+};
+
 // The width is in window units. It is thinner where there are many polygons, so that strokes do not hide what they
 // surround. It is not a vector-effect: librsvg ignores non-scaling-stroke.
 double stroke_width(std::size_t polygons) {
@@ -22,7 +31,18 @@ double stroke_width(std::size_t polygons) {
   return pixels * 2 / image_height;
 }
 
-void write_header(const Camera& camera, std::size_t polygons, TextBuffer& out) {
+void write_bent_header(const Camera& camera, std::size_t polygons, TextBuffer& out) {
+  const LensImage& image = *camera.lens_image;
+  const double border = image.first;
+  out << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << image.width << "\" height=\"" << image.height
+      << "\" viewBox=\"" << border << ' ' << border << ' ' << image.width << ' ' << image.height << "\">\n<title>"
+      << html_text(camera.name) << "</title>\n<rect x=\"" << border << "\" y=\"" << border << "\" width=\""
+      << image.width << "\" height=\"" << image.height
+      << "\" fill=\"#faf8f4\"/>\n<g fill-rule=\"evenodd\" stroke-width=\"" << stroke_width(polygons) * image.height / 2
+      << "\" stroke-linejoin=\"round\">\n";
+}
+
+void write_plain_header(const Camera& camera, std::size_t polygons, TextBuffer& out) {
   const double aspect = camera.aspect;
   out << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << aspect * image_height << "\" height=\"" << image_height
       << "\" viewBox=\"" << -aspect << " -1 " << 2 * aspect << " 2\">\n<title>" << html_text(camera.name)
@@ -31,21 +51,43 @@ void write_header(const Camera& camera, std::size_t polygons, TextBuffer& out) {
       << " -1)\" fill-rule=\"evenodd\" stroke-width=\"" << stroke_width(polygons) << "\" stroke-linejoin=\"round\">\n";
 }
 
+void write_header(const Camera& camera, std::size_t polygons, TextBuffer& out) {
+  if (camera.lens_image) return write_bent_header(camera, polygons, out);
+  write_plain_header(camera, polygons, out);
+}
+
 void write_colour(const Colour& colour, TextBuffer& out) {
   constexpr std::string_view digits = "0123456789abcdef";
   out << '#';
   for (const std::uint8_t channel : colour) out << digits[channel / 16U] << digits[channel % 16U];
 }
 
+// Writes a line up to, and without, its end.
+void write_bent_line(const LensImage& image, const Point2& from, const Point2& to, char& command, TextBuffer& out) {
+  const std::vector<Point2> line = bent_line(image, from, to, bent_tolerance);
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    const Point2 pixel = bent_pixel(image, line[i]);
+    out << command << pixel.x << ' ' << pixel.y;
+    command = 'L';
+  }
+}
+
+void write_line(const Sheet& sheet, const VisibleSegment& segment, char& command, TextBuffer& out) {
+  if (sheet.camera.lens_image) {
+    write_bent_line(*sheet.camera.lens_image, sheet.places[segment.start.index()], sheet.places[segment.end.index()],
+                    command, out);
+    return;
+  }
+  out << command << sheet.texts.x(segment.start) << ' ' << sheet.texts.y(segment.start);
+  command = 'L';
+}
+
 void write_rings(const VisibleSegments& segments, const VisiblePolygons& polygons, const VisiblePolygon& polygon,
-                 const PlaceTexts& places, TextBuffer& out) {
+                 const Sheet& sheet, TextBuffer& out) {
   for (std::size_t r = 0; r < polygon.ring_count; ++r) {
     char command = 'M';
-    for (const SegmentId segment : polygons.ring(polygon.first_ring + r)) {
-      const PointId start = segments.segments[segment.index()].start;
-      out << command << places.x(start) << ' ' << places.y(start);
-      command = 'L';
-    }
+    for (const SegmentId segment : polygons.ring(polygon.first_ring + r))
+      write_line(sheet, segments.segments[segment.index()], command, out);
     out << 'Z';
   }
 }
@@ -56,7 +98,7 @@ void write_names(FaceId face, std::size_t occurrence, FacetFacing facing, TextBu
   out << "\" class=\"" << (facing == FacetFacing::back ? "back" : "front") << "\" data-face=\"" << face.value << '"';
 }
 
-void write_polygon(const View& view, const VisiblePolygon& polygon, std::size_t occurrence, const PlaceTexts& places,
+void write_polygon(const View& view, const VisiblePolygon& polygon, std::size_t occurrence, const Sheet& sheet,
                    TextBuffer& out) {
   const CutMesh& mesh = view.scene.mesh();
   const FacetFacing facing = view.scene.facing[polygon.facet.index()];
@@ -67,7 +109,7 @@ void write_polygon(const View& view, const VisiblePolygon& polygon, std::size_t 
   out << "\" stroke=\"";
   write_colour(shade.stroke, out);
   out << "\" d=\"";
-  write_rings(view.segments, view.polygons, polygon, places, out);
+  write_rings(view.segments, view.polygons, polygon, sheet, out);
   out << "\"/>\n";
 }
 
@@ -95,13 +137,29 @@ void write_reflecting_name(const std::string& panel, FaceId face, std::size_t oc
   out << "\" data-face=\"" << face.value << "\" d=\"";
 }
 
-void write_reflecting_polygons(const PanelReflection& reflection, const std::string& panel, const PlaceTexts& places,
+void write_reflecting_polygons(const PanelReflection& reflection, const std::string& panel, const Sheet& sheet,
                                TextBuffer& out) {
   for_each_polygon(reflection.polygons, [&](const VisiblePolygon& polygon, std::size_t occurrence) {
     write_reflecting_name(panel, polygon.face, occurrence, out);
-    write_rings(reflection.segments, reflection.polygons, polygon, places, out);
+    write_rings(reflection.segments, reflection.polygons, polygon, sheet, out);
     out << "\"/>\n";
   });
+}
+
+void write_triangle(const View& view, const LabelledTriangle& triangle, TextBuffer& out) {
+  const Camera& camera = view.scene.camera;
+  std::array<Point2, 3> places;
+  std::ranges::transform(triangle.corners, places.begin(),
+                         [&](VertexId v) { return window_place(camera, view.labelled.vertices[v.index()]); });
+  char command = 'M';
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (camera.lens_image) {
+      write_bent_line(*camera.lens_image, places[i], places[(i + 1) % 3], command, out);
+      continue;
+    }
+    out << command << places[i].x << ' ' << places[i].y;
+    command = 'L';
+  }
 }
 
 void write_reflecting_triangles(const View& view, std::size_t number, const std::string& panel, TextBuffer& out) {
@@ -112,25 +170,19 @@ void write_reflecting_triangles(const View& view, std::size_t number, const std:
     occurrence = triangle.face == last ? occurrence + 1 : 1;
     last = triangle.face;
     write_reflecting_name(panel, triangle.face, occurrence, out);
-    char command = 'M';
-    for (const VertexId v : triangle.corners) {
-      const Point2 place = window_place(view.scene.camera, view.labelled.vertices[v.index()]);
-      out << command << place.x << ' ' << place.y;
-      command = 'L';
-    }
+    write_triangle(view, triangle, out);
     out << "Z\"/>\n";
   }
 }
 
-void write_panel(const View& view, const std::string& name, std::size_t number, const PlaceTexts& places,
-                 TextBuffer& out) {
+void write_panel(const View& view, const std::string& name, std::size_t number, const Sheet& sheet, TextBuffer& out) {
   const std::string_view colour = panel_colours[number % panel_colours.size()];
   const std::string panel = html_text(name);
   out << "<g class=\"reflecting\" data-panel=\"" << panel << "\" fill=\"" << colour << "\" stroke=\"#7a5b00\">\n";
   if (view.reflections.mode == ReflectionMode::triangles) {
     write_reflecting_triangles(view, number, panel, out);
   } else {
-    write_reflecting_polygons(view.reflections.panels[number], panel, places, out);
+    write_reflecting_polygons(view.reflections.panels[number], panel, sheet, out);
   }
   out << "</g>\n";
 }
@@ -140,11 +192,13 @@ void write_panel(const View& view, const std::string& name, std::size_t number, 
 void write_view_svg(const View& view, const std::vector<Point2>& places, const std::vector<std::string>& panels,
                     TextBuffer& out) {
   const PlaceTexts texts(places);
-  write_header(view.scene.camera, view.polygons.polygons.size(), out);
+  const Camera& camera = view.scene.camera;
+  const Sheet sheet{camera, places, texts};
+  write_header(camera, view.polygons.polygons.size(), out);
   for_each_polygon(view.polygons, [&](const VisiblePolygon& polygon, std::size_t occurrence) {
-    write_polygon(view, polygon, occurrence, texts, out);
+    write_polygon(view, polygon, occurrence, sheet, out);
   });
-  for (std::size_t p = 0; p < panels.size(); ++p) write_panel(view, panels[p], p, texts, out);
+  for (std::size_t p = 0; p < panels.size(); ++p) write_panel(view, panels[p], p, sheet, out);
   out << "</g>\n</svg>\n";
 }
 

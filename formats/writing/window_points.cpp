@@ -14,6 +14,13 @@ std::vector<Point2> window_points(const View& view) {
   return places;
 }
 
+std::vector<Point2> bent_pixels(const Camera& camera, const std::vector<Point2>& places) {
+  std::vector<Point2> pixels;
+  pixels.reserve(places.size());
+  for (const Point2& place : places) pixels.push_back(bent_pixel(*camera.lens_image, place));
+  return pixels;
+}
+
 Point2 window_place(const Camera& camera, const Point3& p) {
   const CameraPlace<double> place = CameraForms<double>(camera).at(p);
   return {place.x / place.w, place.y / place.w};

@@ -15,6 +15,9 @@ namespace sightline::inline formats {
 
 [[nodiscard]] SIGHTLINE_EXPORT std::vector<Point2> window_points(const View& view);
 
+// Returns these places as pixels of the image that the camera's lens bends. Precondition: it has one.
+[[nodiscard]] SIGHTLINE_EXPORT std::vector<Point2> bent_pixels(const Camera& camera, const std::vector<Point2>& places);
+
 // Returns the place of a point that the camera sees, in floating point.
 [[nodiscard]] SIGHTLINE_EXPORT Point2 window_place(const Camera& camera, const Point3& p);
 

@@ -12,7 +12,7 @@
 
 namespace sightline::inline geometry {
 
-// The cuts are what is known of the uncut facets. All of it is empty where nothing was cut.
+// The cuts are what is known of the uncut facets. All of it is empty where nothing was cut, but for `outside_frame`.
 struct FacetCuts {
   std::vector<ExactPosition> points;         // the exact positions of the vertices behind those of the input
   PolygonList uncut_facets;                  // the facets before, all of them; corners are the input's vertices
@@ -21,6 +21,8 @@ struct FacetCuts {
   std::vector<std::array<UncutFacetId, 2>> crossing;  // those that pass through each other: smaller id first; sorted
   // Per mesh edge: the ends of the input's edge that it is on; invalid where it lies on a common line.
   std::vector<std::array<VertexId, 2>> input_edge;
+  // Per facet: whether it lies outside the frame of the camera for which the mesh was cut (frame_cut.h); else empty.
+  std::vector<std::uint8_t> outside_frame;
 };
 
 struct CutMesh : PolygonMesh {

@@ -301,4 +301,50 @@ Camera posed_camera(std::string name, const Matrix3& k, const CameraPose& pose, 
   return pixel_camera(std::move(name), p, pose.eye, image);
 }
 
+namespace {
+
+// Returns K of the same pixels with y down: lenses are computed there.
+Matrix3 with_y_down(const Matrix3& k, const PixelImage& image) {
+  if (image.y == ImageY::down) return k;
+  const double rows = image.origin == PixelOrigin::center ? image.height - 1 : image.height;
+  Matrix3 turned = k;
+  turned.row(1) = rows * k.row(2) - k.row(1);
+  return turned;
+}
+
+// `make` returns the pinhole of a K and an image; what it gets is the window around all that the lens shows.
+template <class Make>
+Camera behind_lens(const std::string& name, const Matrix3& k, const PixelImage& image, const Lens& lens,
+                   double frame_tolerance, Make make) {
+  check_image(name, image);
+  require(finite(k), name, "K has an entry that is not finite");
+  const double first = image.origin == PixelOrigin::center ? -0.5 : 0;
+  Matrix3 in_window = with_y_down(k, image);
+  LensImage bent = make_lens_image(name, in_window, lens, first, image.width, image.height, frame_tolerance);
+  in_window(0, 2) -= bent.left;
+  in_window(1, 2) -= bent.top;
+  Camera camera = make(in_window, PixelImage{bent.window_width, bent.window_height, PixelOrigin::corner,
+                                             image.near_distance, image.far_distance});
+  camera.lens_image = std::move(bent);
+  return camera;
+}
+
+}  // namespace
+
+Camera calibrated_camera(std::string name, const Matrix3& k, const Matrix3& r, const Vector3& t,
+                         const PixelImage& image, const Lens& lens, double frame_tolerance) {
+  if (!bends(lens)) return calibrated_camera(std::move(name), k, r, t, image);
+  return behind_lens(name, k, image, lens, frame_tolerance, [&](const Matrix3& in_window, const PixelImage& window) {
+    return calibrated_camera(name, in_window, r, t, window);
+  });
+}
+
+Camera posed_camera(std::string name, const Matrix3& k, const CameraPose& pose, const PixelImage& image,
+                    const Lens& lens, double frame_tolerance) {
+  if (!bends(lens)) return posed_camera(std::move(name), k, pose, image);
+  return behind_lens(name, k, image, lens, frame_tolerance, [&](const Matrix3& in_window, const PixelImage& window) {
+    return posed_camera(name, in_window, pose, window);
+  });
+}
+
 }  // namespace sightline::inline geometry

@@ -10,10 +10,13 @@
 // calibrated) it is the matrix' null vector, rounded to double: it is the centre of projection and the eye of every
 // depth decision. Of an affine P the direction towards the viewer is.
 //
+// A camera with a lens is the ideal pinhole with a window around all that the lens shows, and the frame of that
+// (lens_image.h): what lies outside the frame is out of view (frame_cut.h).
+//
 // Sources: Fang 1993, section 5.2.2 and appendix A (view transformation); Koucky 2014, 2.3.1 (K [R | t]).
 // Errors: CameraError from every maker: a direction of length zero, up along the view direction, an angle not in (0,
-// 180), aspect or height not positive, a matrix that is singular, an R that is no rotation, near >= far, anything not
-// finite.
+// 180), aspect or height not positive, a matrix that is singular, an R that is no rotation, near >= far, a lens that folds,
+// anything not finite.
 #pragma once
 
 #include <array>
@@ -23,6 +26,7 @@
 #include "geometry/numbers/export.h"
 #include "geometry/numbers/predicates.h"
 #include "geometry/numbers/vector3.h"
+#include "geometry/projection/lens_image.h"
 
 namespace sightline::inline geometry {
 
@@ -41,6 +45,7 @@ struct Camera {
   double aspect = 1;  // the window's width over its height, for display only
   // Of a camera that was made of a matrix P: 1 where P says what is in front, -1 where -P does (ImageY).
   std::optional<int> matrix_sign = std::nullopt;
+  std::optional<LensImage> lens_image = std::nullopt;
 };
 
 struct ViewPoint {
@@ -105,6 +110,10 @@ SIGHTLINE_EXPORT void require_rotation(const std::string& name, const Matrix3& r
                                                                const PixelImage& image);
 [[nodiscard]] SIGHTLINE_EXPORT Camera calibrated_camera(std::string name, const Matrix3& k, const Matrix3& r,
                                                         const Vector3& t, const PixelImage& image);
+// The same behind a lens; a lens that does nothing is none. The image is the bent one, frame_tolerance is in its pixels.
+[[nodiscard]] SIGHTLINE_EXPORT Camera calibrated_camera(std::string name, const Matrix3& k, const Matrix3& r,
+                                                        const Vector3& t, const PixelImage& image, const Lens& lens,
+                                                        double frame_tolerance = default_frame_tolerance);
 
 // Where a camera is and how it is turned: the rows of `rotation` are the directions of x, to the right, of y, down, and
 // of the view.
@@ -122,5 +131,8 @@ enum class CameraAxes { opencv, opengl };
 // The same as calibrated_camera with t = -R eye, but that the eye is what is given.
 [[nodiscard]] SIGHTLINE_EXPORT Camera posed_camera(std::string name, const Matrix3& k, const CameraPose& pose,
                                                    const PixelImage& image);
+[[nodiscard]] SIGHTLINE_EXPORT Camera posed_camera(std::string name, const Matrix3& k, const CameraPose& pose,
+                                                   const PixelImage& image, const Lens& lens,
+                                                   double frame_tolerance = default_frame_tolerance);
 
 }  // namespace sightline::inline geometry

@@ -141,6 +141,8 @@ class SceneBuilder {
     const FacetFacing facing = scene_.facing[f.index()];
     if (facing == FacetFacing::edge_on) return FacetStatus::edge_on;
     if (facing == FacetFacing::back && scene_.sides_shown == Sides::front) return FacetStatus::culled;
+    const auto& outside = mesh_.cuts.outside_frame;
+    if (!outside.empty() && outside[f.index()] != 0) return FacetStatus::out_of_view;
     return summarize(mesh_.corners(f), projected_).none_inside ? FacetStatus::out_of_view : FacetStatus::in_view;
   }
 

@@ -41,7 +41,7 @@ enum class Label : std::uint8_t {
 struct LabelledTriangle {
   std::array<VertexId, 3> corners;  // into LabelledMesh::vertices
   FaceId face;
-  FacetId surface;  // the one it lies on (surface_of in facet_plane.h), whatever the camera
+  FacetId surface;  // the one it lies on (surface_of in facet_plane.h); one for all cameras without a lens
   Label label = Label::hidden;
   bool seen = false;             // the camera sees it: label visible, or of a back-facing face that nothing hides
   std::uint64_t reflecting = 0;  // bit p: it mirrors panel p into the camera

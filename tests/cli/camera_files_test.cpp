@@ -292,14 +292,20 @@ TEST_CASE("what is wrong with a file of cameras is said with its line and what t
   check_refused("name,tx,ty,tz,qw,qx,qy,qz\na,0,0,1,1,0,0,0\n", 1, "say in [[cameras]] what they mean", "");
 }
 
-TEST_CASE("a lens that bends rays is refused, one of zeros is none") {
+TEST_CASE("a lens that bends rays is the camera's, one of zeros is none, one that folds is refused") {
   const auto camera = [](const std::string& coefficients, const std::string& more) {
     return size_lines + "camera_matrix: " + matrix_3x3 + "distortion_coefficients: [" + coefficients +
            "]\nrvec: [0, 0, 0]\ntvec: [0, 0, 4]\n" + more;
   };
-  check_refused(camera("0.1, 0, 0, 0", ""), 3, "undistort the images");
-  check_refused(camera("0, 0, 0, 0", "fisheye_model: 1\n"), 3, "undistort the images");
-  CHECK(scene_of("[[cameras]]\nfile = \"k\"\n", {{"dir/k", camera("0, 0, 0, 0, 0", "")}}).cameras.size() == 1);
+  const auto lens_image = [&](const std::string& text) {
+    return scene_of("[[cameras]]\nfile = \"k\"\n", {{"dir/k", text}}).cameras.at(0).lens_image;
+  };
+  REQUIRE(lens_image(camera("0.1, 0, 0, 0", "")).has_value());
+  CHECK(lens_image(camera("0.1, 0, 0, 0", ""))->lens.radial[0] == 0.1);
+  REQUIRE(lens_image(camera("0, 0, 0, 0", "fisheye_model: 1\n")).has_value());
+  CHECK(lens_image(camera("0, 0, 0, 0", "fisheye_model: 1\n"))->lens.model == LensModel::fisheye);
+  CHECK_FALSE(lens_image(camera("0, 0, 0, 0, 0", "")).has_value());
+  check_refused(camera("-9, 0, 0, 0", ""), 3, "fold");
 }
 
 TEST_CASE("hostile files of cameras are refused in a moment, whatever their size") {

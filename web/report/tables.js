@@ -41,7 +41,7 @@ function cameraTable(reports) {
     String(counts.faces.back_facing),
     short(areas.visible),
     share(areas.visible, areas.surface),
-    `${(100 * (1 - areas.image_uncovered / 4)).toFixed(1)} %`,
+    `${(100 * (1 - areas.image_uncovered / (camera.lens?.frame_area ?? 4))).toFixed(1)} %`,
     seconds(times.total),
   ]);
   const heads = ["camera", "visible faces", "reflecting", "hidden", "out of view", "back-facing", "visible area",
