@@ -6,7 +6,7 @@
 
 namespace sightline::cli {
 
-namespace {}
+namespace {
 
 ReflectionMode read_mode(const TomlReader& table) {
   if (!table.has("mode")) return ReflectionMode::exact;
@@ -46,7 +46,6 @@ double read_crease_angle(const TomlReader& table) {
 }
 
 }  // namespace
-}
 
 ReflectionOptions read_reflection(const TomlReader& table) {
   table.allow_only({"mode", "normals", "tolerance", "means", "crease_angle_deg"});
