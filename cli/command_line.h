@@ -1,4 +1,4 @@
-// The command line: sightline analyze SCENE.toml|MESH.obj ..., sightline compare ..., sightline stability ..., sightline
+// The command line: sightline analyze SCENE.toml|MESH ..., sightline compare ..., sightline stability ..., sightline
 // trace ...
 //
 // In:  the arguments. Out: what to do, or a text that was asked for (help, version).

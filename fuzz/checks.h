@@ -18,6 +18,10 @@ class Finding : public std::logic_error {
 // camera's view of it is valid at every stage; the labelled one is left out where a face's border lies on itself.
 void check_obj(std::string_view bytes);
 
+// The bytes are a mesh in any format: it is read or refused with InputError, without opening any file; the mesh is valid,
+// and has normals where they are asked for, at the same vertices.
+void check_mesh(std::string_view bytes);
+
 // The bytes are a scene file: it is read or refused with InputError, without opening any file; and every camera that
 // comes of it sees a fixed small mesh, valid at every stage.
 void check_scene_file(std::string_view bytes);

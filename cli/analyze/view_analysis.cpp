@@ -2,7 +2,7 @@
 
 #include "cli/analyze/memory_estimate.h"
 #include "cli/system/resources.h"
-#include "formats/reading/mesh_reader.h"
+#include "formats/importing/mesh_import.h"
 
 namespace sightline::cli {
 
@@ -67,7 +67,7 @@ SweepObserver* AnalysisWatch::sweep_observer() { return sweep_ ? &*sweep_ : null
 MeshInput read_mesh(const std::string& file, Normals normals, std::uint64_t max_memory, Progress& progress) {
   progress.stage("read " + file);
   const Stopwatch watch;
-  MeshFile read = sightline::read_mesh(std::filesystem::path(file), {max_memory}, normals);
+  MeshFile read = import_mesh(std::filesystem::path(file), {max_memory}, normals);
   return {std::move(read), watch.seconds()};
 }
 

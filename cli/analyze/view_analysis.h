@@ -56,7 +56,7 @@ struct MeshInput : MeshFile {
   SurfaceDoubts doubts = {};
 };
 
-// Errors: InputError (see read_obj).
+// Errors: InputError (see import_mesh).
 [[nodiscard]] MeshInput read_mesh(const std::string& file, Normals normals, std::uint64_t max_memory,
                                   Progress& progress);
 

@@ -1,42 +1,13 @@
 #include "formats/reading/obj_reader.h"
 
-#include <array>
-#include <fstream>
-#include <memory>
-#include <span>
-
+#include "formats/reading/file_bytes.h"
+#include "formats/reading/mesh_warnings.h"
+#include "formats/reading/obj_source.h"
 #include "formats/reading/obj_statements.h"
 
 namespace sightline::inline formats {
 
 namespace {
-
-// Returns the bytes of a file, in order.
-ByteSource bytes_of(const std::filesystem::path& file) {
-  std::error_code unused;
-  if (std::filesystem::is_directory(file, unused))
-    throw InputError(file.string(), 0, "is a directory, not an OBJ file");
-  const auto in = std::make_shared<std::ifstream>(file, std::ios::binary);
-  if (!*in) throw InputError(file.string(), 0, "cannot be opened");
-  return [in, name = file.string()](std::span<char> to) {
-    in->read(to.data(), static_cast<std::streamsize>(to.size()));
-    if (in->bad()) throw InputError(name, 0, "cannot be read to its end");
-    return static_cast<std::size_t>(in->gcount());
-  };
-}
-
-// Returns a list like "3, 7, 12", of at most ten of them.
-std::string id_list(std::span<const FaceId> faces) {
-  std::string list;
-  for (std::size_t i = 0; i < faces.size() && i < 10; ++i) {
-    list += (i == 0 ? "" : ", ") + std::to_string(faces[i].value);
-  }
-  return list + (faces.size() > 10 ? ", ..." : "");
-}
-
-std::string counted(std::size_t count, const std::string& noun) {
-  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
-}
 
 void warn_about_statements(const ObjStatements& statements, const std::string& name,
                            std::vector<std::string>& warnings) {
@@ -51,19 +22,6 @@ void warn_about_statements(const ObjStatements& statements, const std::string& n
   }
 }
 
-void warn_about_defects(const Mesh& mesh, const std::string& name, std::vector<std::string>& warnings) {
-  for (const Defect defect : {Defect::too_few_corners, Defect::zero_area, Defect::self_crossing, Defect::repeated_face,
-                              Defect::repeated_corner}) {
-    std::vector<FaceId> faces;
-    for (const FaceDefect& d : mesh.defects) {
-      if (d.defect == defect) faces.push_back(d.face);
-    }
-    if (faces.empty()) continue;
-    const char* const done = is_skipped(defect) ? " skipped (" : " mended (";
-    warnings.push_back(name + ": " + counted(faces.size(), "face") + done + to_string(defect) + "): " + id_list(faces));
-  }
-}
-
 MeshFile read_from(ObjScanner& scanner, const std::string& name, const ReadLimits& limits, Normals normals) {
   ObjStatements statements = parse_obj_statements(scanner, name, limits, normals);
   MeshFile result;
@@ -71,15 +29,19 @@ MeshFile read_from(ObjScanner& scanner, const std::string& name, const ReadLimit
   warn_about_statements(statements, name, result.warnings);
   result.mesh = build_mesh(std::move(statements.vertices), std::move(statements.faces));
   warn_about_defects(result.mesh, name, result.warnings);
-  if (result.mesh.facet_count() == 0) result.warnings.push_back(name + ": the scene is empty: no face is left to draw");
+  warn_if_empty(result.mesh, name, result.warnings);
   return result;
 }
 
 }  // namespace
 
 MeshFile read_obj(const std::filesystem::path& file, const ReadLimits& limits, Normals normals) {
-  ObjScanner scanner(bytes_of(file));
-  return read_from(scanner, file.string(), limits, normals);
+  return read_obj(bytes_of(file), file.string(), limits, normals);
+}
+
+MeshFile read_obj(ByteSource bytes, const std::string& file_name, const ReadLimits& limits, Normals normals) {
+  ObjScanner scanner(std::move(bytes));
+  return read_from(scanner, file_name, limits, normals);
 }
 
 MeshFile read_obj(std::string_view text, const std::string& file_name, const ReadLimits& limits, Normals normals) {

@@ -1,4 +1,4 @@
-// The limits say what a reader of OBJ is asked for, and how much it may take; obj_reader.h says what is read and refused.
+// The limits say what a reader of meshes is asked for, and how much it may take; each reader's header says what is read and refused.
 #pragma once
 
 #include <cstddef>

@@ -48,7 +48,7 @@ const std::vector<SceneCase> cases{
     {"matrix_of_wrong_size.toml", 6, "'P' must be of the form"},
     {"matrix_of_zeros.toml", 4, "singular"},
     {"matrix_with_nan.toml", 6, "'P' must be finite"},
-    {"mesh_is_folder.toml", 0, "is a directory, not an OBJ file"},
+    {"mesh_is_folder.toml", 0, "is a directory, not a file of a mesh"},
     {"mesh_is_number.toml", 2, "'file' must be a text in quotes"},
     {"mesh_name_with_line_ends.toml", 0, "cannot be opened"},
     {"mesh_name_with_nul.toml", 2, "'file' has a NUL character"},
