@@ -213,7 +213,7 @@ Report make_report(const SceneDescription& scene, const MeshInput& input, const 
   report.seconds = {input.read_seconds, analysis.seconds, write_seconds};
   report.peak_memory_bytes = peak_memory_bytes();
   report.predicates = view.segments.statistics.predicates;
-  report.doubts = input.doubts;
+  report.surface_doubts = input.doubts;
   report.warnings = warnings_of(input, view, report.below_resolution.count);
   add_doubts(view, report);
   return report;

@@ -99,7 +99,7 @@ struct Report {
   Areas areas;
   Reflection reflection;
   BelowResolution below_resolution;
-  SurfaceDoubts doubts;
+  SurfaceDoubts surface_doubts;
   Seconds seconds;
   std::uint64_t peak_memory_bytes = 0;
   predicates::Counts predicates;

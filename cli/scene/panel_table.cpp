@@ -61,7 +61,7 @@ struct Placed {
   Vector3 normal = Vector3::Zero();
 };
 
-Placed read_place(const TomlReader& table) {
+Placed read_panel_place(const TomlReader& table) {
   if (table.has("normal") == table.has("target"))
     table.fail("the panel needs either 'normal' or 'target', which say where its front looks; give exactly one");
   const Point3 center = table.vector("center");
@@ -85,7 +85,7 @@ Axes axes_across(const Vector3& normal, const Vector3& up) {
 }
 
 std::vector<Point3> read_rectangle(const TomlReader& table) {
-  const Placed place = read_place(table);
+  const Placed place = read_panel_place(table);
   const auto [width, height] = table.pair("size");
   for (const double length : {width, height}) static_cast<void>(read_length(table, "size", length));
   const Axes axes = axes_across(place.normal, table.has("up") ? table.vector("up") : Vector3(0, 1, 0));
@@ -103,7 +103,7 @@ double corner_distance() {
 }
 
 std::vector<Point3> read_disc(const TomlReader& table) {
-  const Placed place = read_place(table);
+  const Placed place = read_panel_place(table);
   const double radius = read_length(table, "radius", table.number("radius")) * corner_distance();
   const Vector3& n = place.normal;
   const bool is_upright = std::fabs(n.y()) > std::fabs(n.x()) && std::fabs(n.y()) > std::fabs(n.z());

@@ -15,7 +15,6 @@
 #include "tests/tools/running_command.h"
 
 namespace sightline::tests::full_disk_test {
-using namespace cli;
 
 namespace {
 

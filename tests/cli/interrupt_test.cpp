@@ -10,7 +10,6 @@
 #include "tests/tools/running_command.h"
 
 namespace sightline::tests::interrupt_test {
-using namespace cli;
 
 namespace {
 
