@@ -20,7 +20,7 @@ std::string model(const std::string& resources, const std::string& build, const 
          resources + "</resources>\n<build>" + build + "</build></model>";
 }
 
-std::string vertex(const std::string& x, const std::string& y, const std::string& z) {
+[[maybe_unused]] std::string vertex(const std::string& x, const std::string& y, const std::string& z) {
   return "<vertex x=\"" + x + "\" y=\"" + y + "\" z=\"" + z + "\"/>";
 }
 
@@ -30,7 +30,7 @@ std::string object(const std::string& id, const std::string& triangle = R"(v1="0
   return "<object id=\"" + id + "\">" + vertices + "<triangles><triangle " + triangle +
          "/></triangles></mesh></object>";
 }
-std::string assembly(const std::string& id, const std::string& components) {
+[[maybe_unused]] std::string assembly(const std::string& id, const std::string& components) {
   return "<object id=\"" + id + "\"><components>" + components + "</components></object>";
 }
 

@@ -41,6 +41,8 @@ void check_all(const std::string& target, void (*check)(std::string_view)) {
 
 TEST_CASE("the fuzzer's OBJ files") { check_all("obj", sightline::fuzz::check_obj); }
 
+TEST_CASE("the fuzzer's meshes of any format") { check_all("mesh", sightline::fuzz::check_mesh); }
+
 TEST_CASE("the fuzzer's scene files") { check_all("scene_file", sightline::fuzz::check_scene_file); }
 
 TEST_CASE("the fuzzer's files of cameras") { check_all("cameras", sightline::fuzz::check_cameras); }

@@ -3,6 +3,7 @@
 #include <charconv>
 #include <nlohmann/json.hpp>
 
+#include "formats/importing/mesh_import.h"
 #include "geometry/mesh/box_hierarchy.h"
 
 namespace sightline::tests {
@@ -104,7 +105,7 @@ void check_command_does_as_reader(const fs::path& file) {
   const tests::RunResult run = analyze_all_of(file, results.string());
   INFO("file: " << file.string() << ", exit code " << run.exit_code << ", " << run.err);
   try {
-    const MeshFile read = read_obj(file);
+    const MeshFile read = import_mesh(file, {}, Normals::passed_over);
     CHECK(run.err.empty());
     REQUIRE(run.exit_code == 0);
     const Json report = Json::parse(run.out);
