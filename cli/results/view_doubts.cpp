@@ -120,12 +120,13 @@ bool may_be_in_view(const SeenExtent& extent, const Camera& camera) {
   return !(extent.low.z() > 0 || !is_pinhole) || !side_of(extent);
 }
 
-ViewDoubt all_turned_away(const SeenExtent& extent) {
+ViewDoubt all_turned_away(const SeenExtent& extent, Sides sides) {
+  const char* const other_remedy = sides == Sides::front ? ", or set sides = \"both\"" : "";
   return {
-      "nothing is seen: all faces in view turn their backs",
-      fmt::format("nothing is seen: all faces in view turn their backs; {}; set sides = \"both\", or turn the order "
-                  "of the faces' corners, or look at whether the eye is within the mesh",
-                  words_of(extent))};
+      "all faces in view turn their backs",
+      fmt::format("all faces in view turn their backs; {}; turn the order of the faces' corners, or look at whether "
+                  "the eye is within the mesh{}",
+                  words_of(extent), other_remedy)};
 }
 
 std::string matrix_words(int sign) {
@@ -153,7 +154,8 @@ std::vector<ViewDoubt> doubts_about_view(const Visibility& view, bool any_in_vie
   if (view.mesh().uncut_facet_count() == 0 || (any_in_view && !camera.matrix_sign)) return {};
   const SeenExtent extent = extent_of(view);
   std::vector<ViewDoubt> doubts;
-  if (!any_in_view && back_facing > 0 && may_be_in_view(extent, camera)) doubts.push_back(all_turned_away(extent));
+  if (!any_in_view && back_facing > 0 && may_be_in_view(extent, camera))
+    doubts.push_back(all_turned_away(extent, view.sides.sides));
   if (!any_in_view && doubts.empty()) doubts.push_back(nothing_in_view(extent, camera));
   if (!camera.matrix_sign) return doubts;
   if (extent.low.z() < 0 && extent.high.z() > 0) {
