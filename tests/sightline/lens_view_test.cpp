@@ -139,9 +139,9 @@ std::vector<Panel> lamp() { return {{"lamp", {{-12, -10, -4}, {12, -10, -4}, {12
 TEST_CASE("Behind a lens a ray sees what it sees without, if its pixel is in the image, and nothing else") {
   const std::uint64_t seed = 11;
   CAPTURE(seed);
-  for (const auto& [name, lens] : lenses()) {
-    CAPTURE(name);
-    const Camera camera = behind(lens);
+  for (const NamedLens& named : lenses()) {
+    CAPTURE(named.name);
+    const Camera camera = behind(named.lens);
     const LensImage& image = *camera.lens_image;
     const Analyzer analyzer(scene(seed), both_sides());
     const View bent = analyzer.view(camera, lamp());
@@ -178,9 +178,9 @@ TEST_CASE("Behind a lens a ray sees what it sees without, if its pixel is in the
 }
 
 TEST_CASE("Areas behind a lens add up: of the frame, and of the surface") {
-  for (const auto& [name, lens] : lenses()) {
-    CAPTURE(name);
-    const Camera camera = behind(lens);
+  for (const NamedLens& named : lenses()) {
+    CAPTURE(named.name);
+    const Camera camera = behind(named.lens);
     const Mesh mesh = scene(5);
     double surface = 0;
     const Analyzer analyzer(mesh, both_sides());
@@ -199,9 +199,9 @@ TEST_CASE("Areas behind a lens add up: of the frame, and of the surface") {
 }
 
 TEST_CASE("Triangles of the labelled surface are on one side of the frame, hidden ones too") {
-  for (const auto& [name, lens] : lenses()) {
-    CAPTURE(name);
-    const Camera camera = behind(lens);
+  for (const NamedLens& named : lenses()) {
+    CAPTURE(named.name);
+    const Camera camera = behind(named.lens);
     const LensImage& image = *camera.lens_image;
     const View view = Analyzer(scene(6), both_sides()).view(camera);
     const double slack = image.frame_tolerance + 1e-6;
