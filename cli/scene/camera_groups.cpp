@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
+#include <set>
 
 #include "cli/cameras/camera_files.h"
 #include "cli/cameras/camera_rigs.h"
@@ -111,17 +111,15 @@ std::vector<CameraRecord> chosen_records(const TomlReader& table, std::vector<Ca
     return chosen;
   }
   if (!table.has("select")) return records;
-  std::vector<std::string> wanted = table.texts("select");
-  if (wanted.empty()) table.fail("select", "'select' chooses no camera; leave it out for all of them");
-  std::ranges::sort(wanted);
+  const std::vector<std::string> listed = table.texts("select");
+  if (listed.empty()) table.fail("select", "'select' chooses no camera; leave it out for all of them");
+  std::set<std::string> wanted(listed.begin(), listed.end());
   for (const CameraRecord& record : records) {
-    if (std::ranges::binary_search(wanted, record.name)) chosen.push_back(record);
+    if (wanted.erase(record.name) > 0) chosen.push_back(record);
   }
-  for (const std::string& name : wanted) {
-    if (std::ranges::none_of(chosen, [&](const CameraRecord& record) { return record.name == name; })) {
-      table.fail("select", fmt::format("the file has no camera '{}'; its first one is '{}'", printable(name),
-                                       printable(records.front().name)));
-    }
+  if (!wanted.empty()) {
+    table.fail("select", fmt::format("the file has no camera '{}'; its first one is '{}'", printable(*wanted.begin()),
+                                     printable(records.front().name)));
   }
   return chosen;
 }
