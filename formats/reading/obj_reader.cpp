@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 
+#include "formats/reading/obj_materials.h"
 #include "formats/reading/obj_statements.h"
 
 namespace sightline::inline formats {
@@ -64,11 +65,15 @@ void warn_about_defects(const Mesh& mesh, const std::string& name, std::vector<s
   }
 }
 
-MeshFile read_from(ObjScanner& scanner, const std::string& name, const ReadLimits& limits, Normals normals) {
+MeshFile read_from(ObjScanner& scanner, const std::string& name, const ReadLimits& limits, Normals normals,
+                   const FilesBeside& beside) {
   ObjStatements statements = parse_obj_statements(scanner, name, limits, normals);
   MeshFile result;
   result.corner_normals = std::move(statements.corner_normals);
+  result.regions = std::move(statements.regions);
   warn_about_statements(statements, name, result.warnings);
+  for (const std::string& line : statements.region_limits) result.warnings.push_back(name + ": " + line);
+  find_materials(result.regions, statements.libraries, beside, name, result.warnings);
   result.mesh = build_mesh(std::move(statements.vertices), std::move(statements.faces));
   warn_about_defects(result.mesh, name, result.warnings);
   if (result.mesh.facet_count() == 0) result.warnings.push_back(name + ": the scene is empty: no face is left to draw");
@@ -79,12 +84,13 @@ MeshFile read_from(ObjScanner& scanner, const std::string& name, const ReadLimit
 
 MeshFile read_obj(const std::filesystem::path& file, const ReadLimits& limits, Normals normals) {
   ObjScanner scanner(bytes_of(file));
-  return read_from(scanner, file.string(), limits, normals);
+  return read_from(scanner, file.string(), limits, normals, files_in_folder(file.parent_path()));
 }
 
-MeshFile read_obj(std::string_view text, const std::string& file_name, const ReadLimits& limits, Normals normals) {
+MeshFile read_obj(std::string_view text, const std::string& file_name, const ReadLimits& limits, Normals normals,
+                  const FilesBeside& beside) {
   ObjScanner scanner(text);
-  return read_from(scanner, file_name, limits, normals);
+  return read_from(scanner, file_name, limits, normals, beside);
 }
 
 }  // namespace sightline::inline formats
