@@ -1,6 +1,7 @@
 // The world is everything that can be reflected or be in the way, prepared once for all cameras.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <span>
@@ -44,13 +45,18 @@ struct MirrorWorld {
   Obstacles obstacles;
   double scale = 1;              // unit_scale of the surface's vertices
   std::vector<Vector3> normals;  // where the options need them: vertex_normals(surface)
+  std::vector<std::uint8_t>
+      mirror_faces;  // per face 1 where it mirrors; empty: all do. What does not is in the way all the same
+
+  [[nodiscard]] bool mirrors(FaceId face) const { return mirror_faces.empty() || mirror_faces[face.index()] != 0; }
 };
 
-// `given_normals` are as for vertex_normals. Errors: PanelError.
+// `given_normals` are as for vertex_normals, `mirror_faces` as in the world. Errors: PanelError.
 [[nodiscard]] SIGHTLINE_EXPORT MirrorWorld make_mirror_world(std::shared_ptr<const CutMesh> surface,
                                                              std::vector<Panel> panels,
                                                              const ReflectionOptions& options = {},
-                                                             const std::vector<Vector3>& given_normals = {});
+                                                             const std::vector<Vector3>& given_normals = {},
+                                                             std::vector<std::uint8_t> mirror_faces = {});
 
 struct ReflectionStatistics {
   std::uint64_t pyramids = 0;   // pairs of a panel and what may reflect it: a visible polygon, a triangle, a cell
