@@ -174,7 +174,7 @@ Panel read_panel(const TomlReader& table) {
 }
 
 ReflectionOptions read_reflection(const TomlReader& table) {
-  table.allow_only({"mode", "normals", "tolerance", "means", "crease_angle_deg"});
+  table.allow_only({"mode", "normals", "tolerance", "means", "crease_angle_deg", "mirrors", "mirrors_material"});
   ReflectionOptions options;
   options.mode = read_mode(table);
   const auto only_for = [&](const char* key, ReflectionMode mode) {

@@ -71,6 +71,36 @@ std::vector<Vector3> TomlReader::points(std::string_view key) const {
   return result;
 }
 
+const toml::array& TomlReader::list(std::string_view key, const char* form) const {
+  const toml::array* values = node(key).as_array();
+  if (values == nullptr) fail(key, fmt::format("'{}' must be of the form {}", key, form));
+  return *values;
+}
+
+std::vector<std::string> TomlReader::texts(std::string_view key) const {
+  std::vector<std::string> result;
+  for (const toml::node& element : list(key, "[\"text\", ...]")) {
+    const auto value = element.value_exact<std::string>();
+    if (!value) throw InputError(*file_, line_of(element), fmt::format("'{}' must be made of texts in quotes", key));
+    result.push_back(*value);
+  }
+  return result;
+}
+
+std::vector<double> TomlReader::numbers(std::string_view key) const {
+  std::vector<double> result;
+  for (const toml::node& element : list(key, "[number, ...]")) result.push_back(finite_number(element, key));
+  return result;
+}
+
+TomlReader TomlReader::table(std::string_view key) const {
+  const toml::node& value = node(key);
+  if (!value.is_table()) fail(key, fmt::format("'{}' must be a table: {{ key = value, ... }}", key));
+  return {*value.as_table(), *file_, fmt::format("'{}'", key), line_of(value)};
+}
+
+std::size_t TomlReader::line(std::string_view key) const { return line_of(node(key)); }
+
 double TomlReader::finite_number(const toml::node& node, std::string_view key) const {
   if (!node.is_number()) throw InputError(*file_, line_of(node), fmt::format("'{}' must be made of numbers", key));
   const double value =

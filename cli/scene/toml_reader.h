@@ -51,6 +51,24 @@ class TomlReader {
   // [[x, y, z], ...], however many.
   [[nodiscard]] std::vector<Vector3> points(std::string_view key) const;
 
+  // [[number, ...], ...], however many of Size entries each.
+  template <std::size_t Size>
+  [[nodiscard]] std::vector<std::array<double, Size>> rows(std::string_view key) const {
+    std::vector<std::array<double, Size>> result;
+    for (const toml::node& element : list(key, "[[number, ...], ...]")) result.push_back(row<Size>(element, key));
+    return result;
+  }
+
+  // ["text", ...] and [number, ...], however many.
+  [[nodiscard]] std::vector<std::string> texts(std::string_view key) const;
+  [[nodiscard]] std::vector<double> numbers(std::string_view key) const;
+
+  // The table of this key, by which messages call it, too.
+  [[nodiscard]] TomlReader table(std::string_view key) const;
+
+  // Precondition: there is such a key.
+  [[nodiscard]] std::size_t line(std::string_view key) const;
+
   template <int Columns>
   [[nodiscard]] Eigen::Matrix<double, 3, Columns, Eigen::DontAlign> matrix(std::string_view key) const {
     const toml::array& rows = array(node(key), key, "[[...], [...], [...]]", 3);
@@ -68,6 +86,7 @@ class TomlReader {
 
  private:
   [[nodiscard]] const toml::node& node(std::string_view key) const;
+  [[nodiscard]] const toml::array& list(std::string_view key, const char* form) const;
   [[nodiscard]] const toml::array& array(const toml::node& node, std::string_view key, const char* form,
                                          std::size_t size) const;
   [[nodiscard]] double finite_number(const toml::node& node, std::string_view key) const;
