@@ -7,8 +7,10 @@
 #include <vector>
 
 #include "cli/analyze/normal_warnings.h"
+#include "cli/analyze/scene_surface.h"
 #include "cli/analyze/view_analysis.h"
 #include "cli/pages/report_page.h"
+#include "cli/results/region_measures.h"
 #include "cli/results/report_json.h"
 #include "cli/results/summary.h"
 #include "cli/results/view_files.h"
@@ -43,8 +45,10 @@ std::vector<std::string> names_of(const std::vector<Item>& items) {
 
 // Where the files go, and what all cameras see, for the files that are about all of them.
 struct Output {
-  Output(const std::string& folder, bool with_page) : results(folder) {
+  Output(const std::string& folder, bool with_page, const MeshInput& input, const std::vector<std::string>& panels)
+      : results(folder), regions(input.regions, input.of_interest, panels) {
     results.require_place_beside(coverage_file);
+    results.require_place_beside(regions_file);
     if (!with_page) return;
     results.require_place_beside(report_page_file);
     page.emplace();
@@ -52,6 +56,7 @@ struct Output {
 
   ResultFolders results;
   std::vector<SeenPart> seen;  // per camera
+  RegionTable regions;
   std::optional<ReportPage> page;
 };
 
@@ -63,6 +68,7 @@ Report written_report(const SceneDescription& scene, const MeshInput& input, con
   const std::vector<FaceMeasures> faces = measure_faces(view);
   const std::vector<Point2> places = window_points(view);
   write_view_files(output.results, view, names_of(scene.panels), faces, places);
+  output.regions.add_camera(view.scene.camera.name, faces);
   if (output.page) output.page->add_view(view, places, faces);
   const Report report = make_report(scene, input, analysis, faces, watch.seconds());
   output.results.write(view.scene.camera.name, "report.json", report_text(report));
@@ -78,11 +84,13 @@ Report camera_report(const SceneDescription& scene, const MeshInput& input, cons
   return written_report(scene, input, analysis, *output);
 }
 
-Coverage published_coverage(const SceneDescription& scene, const CutMesh& mesh, const std::vector<Report>& reports,
-                            Output& output, Progress& progress) {
+Coverage published_coverage(const SceneDescription& scene, const MeshInput& input, const CutMesh& mesh,
+                            const std::vector<Report>& reports, Output& output, Progress& progress) {
   progress.stage("what the cameras cover together");
-  Coverage coverage = cover(mesh, output.seen, scene.panels.size());
+  Coverage coverage = cover(mesh, output.seen, scene.panels.size(), input.of_interest);
   output.results.write_beside(coverage_file, coverage_table(coverage, names_of(scene.cameras), names_of(scene.panels)));
+  output.regions.add_all_cameras(coverage);
+  output.results.write_beside(regions_file, output.regions.take());
   if (output.page) output.results.write_beside(report_page_file, output.page->text(scene, mesh, reports, coverage));
   output.results.publish();
   return coverage;
@@ -90,16 +98,19 @@ Coverage published_coverage(const SceneDescription& scene, const CutMesh& mesh, 
 
 // coverage: of what is in the folder of the results, if there is one.
 std::string standard_output(const std::vector<Report>& reports, const std::optional<Coverage>& coverage,
-                            const AnalyzeOptions& options) {
+                            const FaceRegions& regions, const AnalyzeOptions& options) {
   if (options.json)
     return reports.size() == 1 ? report_text(reports.front()) : json_text(list_json(reports, report_json));
-  return options.quiet ? "" : summary(reports, coverage.value(), *options.output, options.report_page);
+  if (options.quiet) return "";
+  return summary(reports, coverage.value(), seen_regions(regions, *coverage), *options.output, options.report_page);
 }
 
-AnalysisOptions analysis_options(const SceneDescription& scene, const AnalyzeOptions& options,
-                                 std::vector<Vector3> corner_normals, AnalysisWatch& watch) {
-  return {scene.sides,      options.precision,         options.engine, options.threads,
-          scene.reflection, std::move(corner_normals), &watch};
+AnalysisOptions analysis_options(const SceneDescription& scene, const AnalyzeOptions& options, MeshInput& input,
+                                 AnalysisWatch& watch) {
+  return {scene.sides,      options.precision,
+          options.engine,   options.threads,
+          scene.reflection, std::move(input.corner_normals),
+          &watch,           std::move(input.mirror_faces)};
 }
 
 std::string analyzed(const AnalyzeOptions& options) {
@@ -107,16 +118,15 @@ std::string analyzed(const AnalyzeOptions& options) {
   const SceneDescription scene = scene_of(options);
   const bool needs_normals = !scene.panels.empty() && scene.reflection.needs_vertex_normals();
   MeshInput input =
-      read_mesh(scene.mesh_file, needs_normals ? Normals::read : Normals::passed_over, options.max_memory, progress);
+      read_surface(scene, needs_normals ? Normals::read : Normals::passed_over, options.max_memory, progress);
   if (needs_normals) {
     for (std::string& warning : normal_warnings(input.mesh, input.corner_normals, scene.reflection))
       input.warnings.push_back(std::move(warning));
   }
   std::optional<Output> output;
-  if (options.output) output.emplace(*options.output, options.report_page);
+  if (options.output) output.emplace(*options.output, options.report_page, input, names_of(scene.panels));
   AnalysisWatch watch(options.max_memory, progress);
-  const Analyzer analyzer(std::move(input.mesh),
-                          analysis_options(scene, options, std::move(input.corner_normals), watch));
+  const Analyzer analyzer(std::move(input.mesh), analysis_options(scene, options, input, watch));
   const MirrorWorld world = analyzer.world(scene.panels);
   input.doubts = surface_doubts(analyzer.mesh(), world, scene.reflection);
   for (std::string& warning : warnings_of(input.doubts, scene.reflection.snaps))
@@ -128,8 +138,8 @@ std::string analyzed(const AnalyzeOptions& options) {
     reports.push_back(camera_report(scene, input, analysis, output ? &*output : nullptr, progress));
   }
   std::optional<Coverage> coverage;
-  if (output) coverage = published_coverage(scene, analyzer.mesh(), reports, *output, progress);
-  return standard_output(reports, coverage, options);
+  if (output) coverage = published_coverage(scene, input, analyzer.mesh(), reports, *output, progress);
+  return standard_output(reports, coverage, input.regions, options);
 }
 
 }  // namespace

@@ -46,6 +46,7 @@ set(sightline_headers
   formats/writing/segments_table.h
   formats/writing/view_svg.h
 
+  formats/reading/face_regions.h
   formats/reading/mesh_file.h
   formats/reading/read_limits.h
   formats/writing/text_buffer.h

@@ -111,11 +111,13 @@ std::array<double, 2> add_areas(CoveredAreas& sums, std::uint64_t panels, Area a
 // This goes through the surfaces in order, and with them through what each camera sees.
 class Accumulation {
  public:
-  Accumulation(const CutMesh& mesh, std::span<const SeenPart> cameras, std::size_t panel_count)
-      : mesh_(mesh), cameras_(cameras), next_(cameras.size(), 0) {
+  Accumulation(const CutMesh& mesh, std::span<const SeenPart> cameras, std::size_t panel_count,
+               std::span<const std::uint8_t> counting)
+      : mesh_(mesh), cameras_(cameras), counting_(counting), next_(cameras.size(), 0) {
     const CoveredAreas nothing{0, 0, std::vector<double>(panel_count, 0)};
     result_.cameras.assign(cameras.size(), nothing);
     result_.together = nothing;
+    uncounted_ = nothing;
     result_.faces.resize(mesh.face_count());
   }
 
@@ -128,37 +130,42 @@ class Accumulation {
  private:
   void add(FacetId surface) {
     SurfaceCover cover(mesh_, surface);
-    for (std::size_t c = 0; c < cameras_.size(); ++c) add_sight(cover, surface, c);
-    FaceCoverage& face = result_.faces[mesh_.facet_face[surface.index()].index()];
-    result_.area += cover.area();
+    const std::size_t face_number = mesh_.facet_face[surface.index()].index();
+    const bool counts = counting_.empty() || counting_[face_number] != 0;
+    for (std::size_t c = 0; c < cameras_.size(); ++c)
+      add_sight(cover, surface, c, counts ? result_.cameras[c] : uncounted_);
+    FaceCoverage& face = result_.faces[face_number];
+    if (counts) result_.area += cover.area();
     face.area += cover.area();
-    const auto [visible, reflecting] =
-        add_areas(result_.together, cover.panels(), [&](const Selection& s) { return cover.together(s); });
+    const auto [visible, reflecting] = add_areas(counts ? result_.together : uncounted_, cover.panels(),
+                                                 [&](const Selection& s) { return cover.together(s); });
     face.visible += visible;
     face.reflecting += reflecting;
   }
 
-  void add_sight(SurfaceCover& cover, FacetId surface, std::size_t camera) {
+  void add_sight(SurfaceCover& cover, FacetId surface, std::size_t camera, CoveredAreas& sums) {
     const SeenPart& part = cameras_[camera];
     const std::size_t i = next_[camera];
     if (i == part.surfaces.size() || part.surfaces[i].surface != surface) return;
     ++next_[camera];
     const Sight sight{&part.surfaces[i], part.triangles_of(i)};
     cover.add(sight);
-    add_areas(result_.cameras[camera], sight.surface->reflecting_somewhere,
-              [&](const Selection& s) { return cover.alone(sight, s); });
+    add_areas(sums, sight.surface->reflecting_somewhere, [&](const Selection& s) { return cover.alone(sight, s); });
   }
 
   const CutMesh& mesh_;
   std::span<const SeenPart> cameras_;
+  std::span<const std::uint8_t> counting_;
   std::vector<std::size_t> next_;  // per camera, into its surfaces
+  CoveredAreas uncounted_;         // sums of faces that do not count: nobody reads them
   Coverage result_;
 };
 
 }  // namespace
 
-Coverage cover(const CutMesh& mesh, std::span<const SeenPart> cameras, std::size_t panel_count) {
-  return Accumulation(mesh, cameras, panel_count).run();
+Coverage cover(const CutMesh& mesh, std::span<const SeenPart> cameras, std::size_t panel_count,
+               std::span<const std::uint8_t> counting) {
+  return Accumulation(mesh, cameras, panel_count, counting).run();
 }
 
 }  // namespace sightline::inline coverage

@@ -11,6 +11,7 @@
 //      part, and per panel that several see mirrored in part of it.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -34,13 +35,15 @@ struct FaceCoverage {
 };
 
 struct Coverage {
-  double area = 0;                    // of the surface: of all facets
+  double area = 0;                    // of the surface: of all facets that count
   std::vector<CoveredAreas> cameras;  // each for itself
   CoveredAreas together;
   std::vector<FaceCoverage> faces;
 };
 
+// counting: per face 1 where it counts in the areas of the surface, of cameras and of all together; where it is empty, all do.
+// Each face has its own areas whether it counts or not.
 [[nodiscard]] SIGHTLINE_EXPORT Coverage cover(const CutMesh& mesh, std::span<const SeenPart> cameras,
-                                              std::size_t panel_count);
+                                              std::size_t panel_count, std::span<const std::uint8_t> counting = {});
 
 }  // namespace sightline::inline coverage

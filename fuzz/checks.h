@@ -14,7 +14,8 @@ class Finding : public std::logic_error {
   using std::logic_error::logic_error;
 };
 
-// The bytes are an OBJ file: it is read or refused with InputError, the mesh is valid, and where it is small a fixed
+// The bytes are an OBJ file, and the MTL file that it names: it is read or refused with InputError, without opening any file; the
+// mesh is valid, each face is in one region of each kind, and where it is small a fixed
 // camera's view of it is valid at every stage; the labelled one is left out where a face's border lies on itself.
 void check_obj(std::string_view bytes);
 

@@ -45,17 +45,21 @@ class ReflectionSearch {
       return std::move(found_);
     }
     for (std::size_t p = 0; p < polygons_.polygons.size(); ++p) {
-      if (!polygons_.polygons[p].below_resolution) add_polygon(p);
+      if (is_mirror(polygons_.polygons[p])) add_polygon(p);
     }
     return std::move(found_);
   }
 
  private:
+  [[nodiscard]] bool is_mirror(const VisiblePolygon& polygon) const {
+    return !polygon.below_resolution && world_.mirrors(polygon.face);
+  }
+
   void add_smooth() {
     if (world_.panels.empty()) return;
     std::vector<MirrorPolygon> polygons;
     for (std::size_t p = 0; p < polygons_.polygons.size(); ++p) {
-      if (!polygons_.polygons[p].below_resolution) polygons.push_back({polygons_.polygons[p].facet, border_of(p)});
+      if (is_mirror(polygons_.polygons[p])) polygons.push_back({polygons_.polygons[p].facet, border_of(p)});
     }
     SmoothReflections smooth = find_smooth_reflections(world_, scene_, polygons, found_.statistics);
     for (std::size_t p = 0; p < polygons.size(); ++p) {

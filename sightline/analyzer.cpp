@@ -70,7 +70,8 @@ View Analyzer::view(const Camera& camera, const MirrorWorld& world) const {
 }
 
 MirrorWorld Analyzer::world(std::vector<Panel> panels) const {
-  return make_mirror_world(mesh_, std::move(panels), options_.reflection, options_.corner_normals);
+  return make_mirror_world(mesh_, std::move(panels), options_.reflection, options_.corner_normals,
+                           options_.mirror_faces);
 }
 
 Visibility Analyzer::visible(const Camera& camera) const {

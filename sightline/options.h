@@ -45,7 +45,8 @@ struct AnalysisOptions {
   ReflectionOptions reflection{};
   // Normals that were given: per corner of the input's faces, zero where there is none; or nothing at all.
   std::vector<Vector3> corner_normals{};
-  AnalysisHook* hook = nullptr;  // outlives the analyzer
+  AnalysisHook* hook = nullptr;              // outlives the analyzer
+  std::vector<std::uint8_t> mirror_faces{};  // per face of the input 1 where it mirrors panels; empty: all faces do
 };
 
 }  // namespace sightline

@@ -1,8 +1,6 @@
 #include "cli/analyze/view_analysis.h"
 
 #include "cli/analyze/memory_estimate.h"
-#include "cli/system/resources.h"
-#include "formats/importing/mesh_import.h"
 
 namespace sightline::cli {
 
@@ -63,12 +61,5 @@ void AnalysisWatch::projected(const ProjectedScene& scene) {
 }
 
 SweepObserver* AnalysisWatch::sweep_observer() { return sweep_ ? &*sweep_ : nullptr; }
-
-MeshInput read_mesh(const std::string& file, Normals normals, std::uint64_t max_memory, Progress& progress) {
-  progress.stage("read " + file);
-  const Stopwatch watch;
-  MeshFile read = import_mesh(std::filesystem::path(file), {max_memory}, normals);
-  return {std::move(read), watch.seconds()};
-}
 
 }  // namespace sightline::cli

@@ -9,7 +9,6 @@
 #include "cli/analyze/surface_doubts.h"
 #include "cli/system/progress.h"
 #include "formats/reading/mesh_file.h"
-#include "formats/reading/read_limits.h"
 #include "sightline/analyzer.h"
 
 namespace sightline::cli {
@@ -50,15 +49,22 @@ class AnalysisWatch : public AnalysisHook {
   StageSeconds seconds_;
 };
 
-// The input is read once for all cameras of a scene.
-struct MeshInput : MeshFile {
-  double read_seconds = 0;
-  SurfaceDoubts doubts = {};
+// A mesh of a scene, and where its faces are among those of all meshes.
+struct ScenePart {
+  std::string file;
+  std::string name;
+  std::size_t first_face = 0;
+  std::size_t face_count = 0;
 };
 
-// Errors: InputError (see import_mesh).
-[[nodiscard]] MeshInput read_mesh(const std::string& file, Normals normals, std::uint64_t max_memory,
-                                  Progress& progress);
+// The input is read once for all cameras of a scene (scene_surface.h).
+struct MeshInput : MeshFile {
+  double read_seconds = 0;
+  std::vector<ScenePart> parts;
+  std::vector<std::uint8_t> of_interest;   // per face; empty: all are
+  std::vector<std::uint8_t> mirror_faces;  // per face; empty: all mirror
+  SurfaceDoubts doubts;
+};
 
 // A view and how it was computed.
 struct ViewAnalysis {

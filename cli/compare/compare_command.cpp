@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "cli/analyze/view_analysis.h"
+#include "cli/analyze/scene_surface.h"
 #include "cli/compare/compare_page.h"
 #include "cli/compare/compare_table.h"
 #include "cli/options/camera_options.h"
@@ -26,7 +26,7 @@ struct Ground {
 };
 
 Ground ground_of(const SceneDescription& scene, const Camera& camera, Progress& progress) {
-  MeshInput input = read_mesh(scene.mesh_file, Normals::passed_over, default_memory_limit(), progress);
+  MeshInput input = read_surface(scene, Normals::passed_over, default_memory_limit(), progress);
   const Analyzer analyzer(std::move(input.mesh), {.sides = scene.sides, .precision = {}});
   progress.stage(camera.name + ": what is exactly visible");
   Visibility visible = analyzer.visible(camera);

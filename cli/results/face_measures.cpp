@@ -83,6 +83,7 @@ void add_triangles(const LabelledMesh& labelled, std::vector<FaceMeasures>& face
     const double area =
         triangle_area(labelled.vertices[a.index()], labelled.vertices[b.index()], labelled.vertices[c.index()]);
     face.visible_area += area;
+    if (triangle.reflecting != 0) face.any_reflecting_area += area;
     for (std::size_t p = 0; p < face.reflecting_area.size(); ++p) {
       if ((triangle.reflecting >> p & 1U) != 0) face.reflecting_area[p] += area;
     }
@@ -99,6 +100,7 @@ void add_polygons(const VisiblePolygons& polygons, std::vector<FaceMeasures>& fa
 void keep_order(FaceMeasures& face) {
   face.in_view_area = std::min(face.in_view_area, face.area);
   face.visible_area = std::min(face.visible_area, face.in_view_area);
+  face.any_reflecting_area = std::min(face.any_reflecting_area, face.visible_area);
   for (double& area : face.reflecting_area) area = std::min(area, face.visible_area);
   face.visible_image_area = std::min(face.visible_image_area, face.image_area);
 }

@@ -34,6 +34,7 @@ struct FaceMeasures {
   double visible_area = 0;  // of its triangles that are seen
   double image_area = 0;    // of its facets' polygons in the image
   double visible_image_area = 0;        // of its visible polygons above resolution
+  double any_reflecting_area = 0;       // of its triangles that mirror one panel or more into the camera
   std::vector<double> reflecting_area;  // per panel, of its triangles that mirror it into the camera
 };
 

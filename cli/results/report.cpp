@@ -98,6 +98,24 @@ Report::Areas areas_of(const View& view, const std::vector<FaceMeasures>& faces)
           uncovered_area(view.scene.camera, view.polygons)};
 }
 
+bool is_of_interest(const MeshInput& input, std::size_t face) {
+  return input.of_interest.empty() || input.of_interest[face] != 0;
+}
+
+Report::AreasOfInterest areas_of_interest(const MeshInput& input, const std::vector<FaceMeasures>& faces) {
+  Report::AreasOfInterest areas;
+  areas.were_chosen = !input.of_interest.empty();
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    if (!is_of_interest(input, f)) continue;
+    ++areas.faces;
+    areas.surface += faces[f].area;
+    areas.in_view += faces[f].in_view_area;
+    areas.visible += faces[f].visible_area;
+    areas.image_visible += faces[f].visible_image_area;
+  }
+  return areas;
+}
+
 // Twice the area of a triangle in the window.
 double twice_window_area(const Camera& camera, const LabelledMesh& labelled, const LabelledTriangle& t) {
   const auto place = [&](std::size_t i) { return window_place(camera, labelled.vertices[t.corners[i].index()]); };
@@ -122,13 +140,16 @@ void measure_polygons(const VisiblePolygons& polygons, Report::ReflectedPanel& r
     reflected.image_area += polygon.below_resolution ? 0 : polygon.area;
 }
 
-Report::ReflectedPanel reflected_panel(const Panel& panel, std::size_t index, const View& view,
+Report::ReflectedPanel reflected_panel(const Panel& panel, std::size_t index, const MeshInput& input, const View& view,
                                        const std::vector<FaceMeasures>& faces) {
   Report::ReflectedPanel reflected;
   reflected.name = panel.name;
   reflected.emits = panel.emits;
   reflected.deviation = fitted_panel(panel).deviation;
-  for (const FaceMeasures& face : faces) reflected.area += face.reflecting_area[index];
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    reflected.area += faces[f].reflecting_area[index];
+    if (is_of_interest(input, f)) reflected.area_of_interest += faces[f].reflecting_area[index];
+  }
   reflected.uncertain_image_area = view.reflections.panels[index].uncertain_area;
   reflected.border_distance = view.reflections.panels[index].border_distance;
   if (view.reflections.mode == ReflectionMode::triangles) {
@@ -139,13 +160,13 @@ Report::ReflectedPanel reflected_panel(const Panel& panel, std::size_t index, co
   return reflected;
 }
 
-Report::Reflection reflection_of(const SceneDescription& scene, const View& view,
+Report::Reflection reflection_of(const SceneDescription& scene, const MeshInput& input, const View& view,
                                  const std::vector<FaceMeasures>& faces) {
   const ReflectionStatistics& statistics = view.reflections.statistics;
   Report::Reflection reflection;
   reflection.asked = scene.reflection;
   for (std::size_t p = 0; p < view.reflections.panels.size(); ++p)
-    reflection.panels.push_back(reflected_panel(scene.panels[p], p, view, faces));
+    reflection.panels.push_back(reflected_panel(scene.panels[p], p, input, view, faces));
   for (const Report::ReflectedPanel& panel : reflection.panels) {
     if (panel.image_area > 0)
       reflection.reached = std::max(reflection.reached, panel.uncertain_image_area / panel.image_area);
@@ -199,8 +220,8 @@ Report make_report(const SceneDescription& scene, const MeshInput& input, const 
   const CutMesh& mesh = analysis.view.mesh();
   const View& view = analysis.view;
   Report report;
-  report.surface = {scene.file, scene.mesh_file, mesh.input_vertex_count(), mesh.face_count(),
-                    mesh.uncut_facet_count()};
+  report.surface = {scene.file,        scene.mesh_file,          mesh.input_vertex_count(),
+                    mesh.face_count(), mesh.uncut_facet_count(), input.parts};
   report.camera = view.scene.camera;
   report.sides_asked = analysis.asked.sides;
   report.sides = view.sides;
@@ -208,7 +229,8 @@ Report make_report(const SceneDescription& scene, const MeshInput& input, const 
   report.engine = analysis.asked.engine;
   report.counts = counts_of(view, faces);
   report.areas = areas_of(view, faces);
-  report.reflection = reflection_of(scene, view, faces);
+  report.of_interest = areas_of_interest(input, faces);
+  report.reflection = reflection_of(scene, input, view, faces);
   report.below_resolution = below_resolution_of(view.polygons);
   report.seconds = {input.read_seconds, analysis.seconds, write_seconds};
   report.peak_memory_bytes = peak_memory_bytes();

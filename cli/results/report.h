@@ -22,6 +22,7 @@ struct Report {
     std::size_t vertices = 0;
     std::size_t faces = 0;
     std::size_t facets = 0;  // before they were cut along common lines
+    std::vector<ScenePart> parts;
   };
 
   // Input faces by the highest label of their triangles.
@@ -55,10 +56,21 @@ struct Report {
     double image_uncovered = 0;  // of the window's area 4, or of the area of a lens's frame
   };
 
+  // The same on the faces of interest; of all faces where none were chosen.
+  struct AreasOfInterest {
+    bool were_chosen = false;
+    std::size_t faces = 0;
+    double surface = 0;
+    double in_view = 0;
+    double visible = 0;
+    double image_visible = 0;
+  };
+
   struct ReflectedPanel {
     std::string name;
     Emits emits = Emits::both;
-    double area = 0;  // of the surface that reflects it
+    double area = 0;              // of the surface that reflects it
+    double area_of_interest = 0;  // of it on faces of interest
     double image_area = 0;
     std::size_t polygons = 0;         // in the image: triangles in the mode of this name, else polygons
     double uncertain_image_area = 0;  // in smooth mode: at most so much of image_area may be wrong
@@ -97,6 +109,7 @@ struct Report {
   Engine engine = Engine::fast;
   Counts counts;
   Areas areas;
+  AreasOfInterest of_interest;
   Reflection reflection;
   BelowResolution below_resolution;
   SurfaceDoubts surface_doubts;

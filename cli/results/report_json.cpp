@@ -8,12 +8,13 @@ namespace {
 
 constexpr std::size_t most_listed = 100;
 
+Json part_json(const ScenePart& part) {
+  return {{"file", part.file}, {"name", part.name}, {"first_face", part.first_face}, {"faces", part.face_count}};
+}
+
 Json surface_json(const Report::Surface& surface) {
-  return {{"file", surface.scene_file},
-          {"mesh", surface.mesh_file},
-          {"vertices", surface.vertices},
-          {"faces", surface.faces},
-          {"facets", surface.facets}};
+  return {{"file", surface.scene_file}, {"mesh", surface.mesh_file}, {"vertices", surface.vertices},
+          {"faces", surface.faces},     {"facets", surface.facets},  {"meshes", list_json(surface.parts, part_json)}};
 }
 
 Json warped_json(const WarpedFaces& warped) {
@@ -93,12 +94,22 @@ Json counts_json(const Report::Counts& counts) {
           {"output_triangles", counts.output_triangles}, {"crossing_pairs", counts.crossing_pairs}};
 }
 
-Json areas_json(const Report::Areas& areas) {
-  return {{"surface", areas.surface},
+Json interest_json(const Report::AreasOfInterest& areas) {
+  return {{"faces", areas.faces},
+          {"surface", areas.surface},
           {"in_view", areas.in_view},
           {"visible", areas.visible},
-          {"image_visible", areas.image_visible},
-          {"image_uncovered", areas.image_uncovered}};
+          {"image_visible", areas.image_visible}};
+}
+
+Json areas_json(const Report::Areas& areas, const Report::AreasOfInterest& interest) {
+  Json part = {{"surface", areas.surface},
+               {"in_view", areas.in_view},
+               {"visible", areas.visible},
+               {"image_visible", areas.image_visible},
+               {"image_uncovered", areas.image_uncovered}};
+  if (interest.were_chosen) part["of_interest"] = interest_json(interest);
+  return part;
 }
 
 // Says what the mode was asked for, and how far it came.
@@ -113,12 +124,13 @@ Json mode_json(const Report::Reflection& reflection) {
   return part;
 }
 
-Json reflection_json(const Report::Reflection& reflection) {
+Json reflection_json(const Report::Reflection& reflection, bool interest_was_chosen) {
   const char* const noun = reflection.asked.mode == ReflectionMode::triangles ? "triangles" : "polygons";
   const auto panel_json = [&](const Report::ReflectedPanel& panel) -> Json {
     Json part = {{"name", panel.name},   {"emits", as_json(panel.emits)},
                  {"area", panel.area},   {"image_area", panel.image_area},
                  {noun, panel.polygons}, {"deviation", panel.deviation}};
+    if (interest_was_chosen) part["area_of_interest"] = panel.area_of_interest;
     if (reflection.asked.mode == ReflectionMode::smooth) {
       part["uncertain_image_area"] = panel.uncertain_image_area;
       part["border_distance"] = panel.border_distance;
@@ -165,8 +177,8 @@ Json report_json(const Report& report) {
           {"precision", precision_json(report.precision)},
           {"engine", report.engine == Engine::fast ? "fast" : "full"},
           {"counts", counts_json(report.counts)},
-          {"areas", areas_json(report.areas)},
-          {"reflections", reflection_json(report.reflection)},
+          {"areas", areas_json(report.areas, report.of_interest)},
+          {"reflections", reflection_json(report.reflection, report.of_interest.were_chosen)},
           {"below_resolution", below_resolution_json(report.below_resolution)},
           {"warped_faces", warped_json(report.surface_doubts.warped)},
           {"coincidences", coincidences_json(report.surface_doubts, report.reflection.asked.snaps)},

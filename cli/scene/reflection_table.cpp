@@ -48,7 +48,7 @@ double read_crease_angle(const TomlReader& table) {
 }  // namespace
 
 ReflectionOptions read_reflection(const TomlReader& table) {
-  table.allow_only({"mode", "normals", "tolerance", "means", "crease_angle_deg"});
+  table.allow_only({"mode", "normals", "tolerance", "means", "crease_angle_deg", "mirrors", "mirrors_material"});
   ReflectionOptions options;
   options.mode = read_mode(table);
   const auto only_for = [&](const char* key, ReflectionMode mode) {

@@ -33,7 +33,7 @@ std::optional<std::string> name_defect(std::string_view name) {
 
 bool is_file_beside_folders(std::string name) {
   for (char& c : name) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return name == coverage_file || name == report_page_file;
+  return name == coverage_file || name == regions_file || name == report_page_file;
 }
 
 }  // namespace sightline::cli

@@ -12,6 +12,7 @@
 namespace sightline::cli {
 
 constexpr const char* coverage_file = "coverage.csv";
+constexpr const char* regions_file = "regions.csv";
 constexpr const char* report_page_file = "report.html";
 
 // Returns what is wrong with the name; nothing for a good one.

@@ -10,6 +10,7 @@
 #include "cli/scene/camera_groups.h"
 #include "cli/scene/camera_tables.h"
 #include "cli/scene/coincidence_table.h"
+#include "cli/scene/mesh_tables.h"
 #include "cli/scene/panel_table.h"
 #include "cli/scene/reflection_table.h"
 #include "cli/scene/toml_reader.h"
@@ -44,27 +45,6 @@ toml::table parsed(std::string_view text, const std::string& path) {
     throw InputError(path, error.source().begin.line,
                      fmt::format("not valid TOML: {}", printable(error.description(), longest_description)));
   }
-}
-
-TomlReader mesh_table(const toml::table& root, const std::string& path) {
-  const toml::node* node = root.get("mesh");
-  if (node == nullptr) throw InputError(path, 0, "there is no [mesh]; add [mesh] with file = \"...\"");
-  const std::size_t line = node->source().begin.line;
-  if (!node->is_table()) throw InputError(path, line, "'mesh' must be a table: [mesh]");
-  return {*node->as_table(), path, "[mesh]", line};
-}
-
-SidesPolicy read_sides(const TomlReader& mesh) {
-  if (!mesh.has("sides")) return SidesPolicy::automatic;
-  const auto policy = sides_policy(mesh.text("sides"));
-  if (!policy) mesh.fail("sides", "'sides' must be \"auto\", \"front\" or \"both\"");
-  return *policy;
-}
-
-std::string read_file_name(const TomlReader& mesh) {
-  std::string name = mesh.text("file");
-  if (name.find('\0') != std::string::npos) mesh.fail("file", "'file' has a NUL character; no file is called so");
-  return name;
 }
 
 // Reads the elements of [[camera]] or [[panel]], which have distinct names.
@@ -157,7 +137,7 @@ ReflectionOptions read_reflection(const toml::table& root, const std::string& pa
 
 SceneDescription read_scene(const std::string& input, const std::optional<Camera>& mesh_camera) {
   if (!mesh_camera) return read_scene_file(input);
-  return {input, input, SidesPolicy::automatic, {*mesh_camera}, {}, {}};
+  return {input, input, {{input, "", {}}}, {}, SidesPolicy::automatic, {*mesh_camera}, {}, {}};
 }
 
 const char* to_string(SidesPolicy policy) {
@@ -179,16 +159,17 @@ SceneDescription parse_scene(std::string_view text, const std::string& path) {
 SceneDescription parse_scene(std::string_view text, const std::string& path, const FileSource& files) {
   const toml::table root = parsed(text, path);
   TomlReader(root, path, "the scene file", 0)
-      .allow_only({"mesh", "camera", "cameras", "panel", "reflection", "coincidence"});
-  const TomlReader mesh = mesh_table(root, path);
-  mesh.allow_only({"file", "sides"});
+      .allow_only({"mesh", "regions", "camera", "cameras", "panel", "reflection", "coincidence"});
+  SceneMeshes surface = read_meshes(root, path);
   SceneDescription scene;
   scene.file = path;
-  scene.mesh_file = (std::filesystem::path(path).parent_path() / read_file_name(mesh)).string();
-  scene.sides = read_sides(mesh);
+  scene.mesh_file = surface.meshes.front().file;
+  scene.meshes = std::move(surface.meshes);
+  scene.sides = surface.sides;
   scene.cameras = read_cameras(root, path, files);
   scene.panels = read_panels(root, path);
   scene.reflection = read_reflection(root, path);
+  scene.regions = read_regions(root, path);
   return scene;
 }
 

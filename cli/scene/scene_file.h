@@ -1,4 +1,4 @@
-// Scene files (TOML): which mesh, the cameras, and the panels. docs/scene-files.md describes the format.
+// Scene files (TOML): which meshes, the cameras, and the panels. docs/scene-files.md describes the format.
 //
 // In:  the path of a scene file. Out: a SceneDescription; paths in the file are relative to the file's folder.
 // Errors: InputError with file and line: no such file, more than 64 MiB, TOML that does not parse, a line with more than
@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "cli/cameras/camera_request.h"
+#include "cli/scene/scene_mesh.h"
 #include "geometry/projection/camera.h"
 #include "geometry/projection/culling.h"
 #include "reflect/world/panel.h"
@@ -21,7 +22,9 @@ namespace sightline::cli {
 
 struct SceneDescription {
   std::string file;       // the scene file, or the mesh file where the camera came from the command line
-  std::string mesh_file;  // a path that can be opened from the working directory
+  std::string mesh_file;  // the first mesh's path, which can be opened from the working directory
+  std::vector<SceneMesh> meshes;
+  SceneRegions regions;
   SidesPolicy sides = SidesPolicy::automatic;
   std::vector<Camera> cameras;  // at least one; names are distinct and safe folder names
   std::vector<Panel> panels;    // names are distinct, and one word each

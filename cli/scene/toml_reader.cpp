@@ -96,11 +96,15 @@ std::vector<std::vector<double>> TomlReader::rows(std::string_view key) const {
   return result;
 }
 
+const toml::array& TomlReader::list(std::string_view key, const char* form) const {
+  const toml::array* values = node(key).as_array();
+  if (values == nullptr) fail(key, fmt::format("'{}' must be of the form {}", key, form));
+  return *values;
+}
+
 std::vector<std::string> TomlReader::texts(std::string_view key) const {
-  const toml::array* elements = node(key).as_array();
-  if (elements == nullptr) fail(key, fmt::format("'{}' must be of the form [\"text\", ...]", key));
   std::vector<std::string> result;
-  for (const toml::node& element : *elements) {
+  for (const toml::node& element : list(key, "[\"text\", ...]")) {
     const auto value = element.value_exact<std::string>();
     if (!value) throw InputError(*file_, line_of(element), fmt::format("'{}' must be made of texts in quotes", key));
     result.push_back(*value);
@@ -118,10 +122,8 @@ std::size_t TomlReader::count_of(const toml::node& node, std::string_view key, s
 std::size_t TomlReader::count(std::string_view key, std::size_t most) const { return count_of(node(key), key, most); }
 
 std::vector<std::size_t> TomlReader::counts(std::string_view key, std::size_t most) const {
-  const toml::array* elements = node(key).as_array();
-  if (elements == nullptr) fail(key, fmt::format("'{}' must be of the form [number, ...]", key));
   std::vector<std::size_t> result;
-  for (const toml::node& element : *elements) result.push_back(count_of(element, key, most));
+  for (const toml::node& element : list(key, "[number, ...]")) result.push_back(count_of(element, key, most));
   return result;
 }
 
@@ -130,6 +132,8 @@ TomlReader TomlReader::table(std::string_view key) const {
   if (!value.is_table()) fail(key, fmt::format("'{}' must be a table: {} = {{ ... }}", key, key));
   return {*value.as_table(), *file_, fmt::format("'{}'", key), line_of(value)};
 }
+
+std::size_t TomlReader::line(std::string_view key) const { return line_of(node(key)); }
 
 double TomlReader::finite_number(const toml::node& node, std::string_view key) const {
   if (!node.is_number()) throw InputError(*file_, line_of(node), fmt::format("'{}' must be made of numbers", key));

@@ -54,17 +54,27 @@ class TomlReader {
   // [[x, y, z], ...], however many.
   [[nodiscard]] std::vector<Vector3> points(std::string_view key) const;
 
-  // [[number, ...], ...], however many of whatever length.
+  // [[number, ...], ...], however many of whatever length, or of Size entries each.
   [[nodiscard]] std::vector<std::vector<double>> rows(std::string_view key) const;
+  template <std::size_t Size>
+  [[nodiscard]] std::vector<std::array<double, Size>> rows(std::string_view key) const {
+    std::vector<std::array<double, Size>> result;
+    for (const toml::node& element : list(key, "[[number, ...], ...]")) result.push_back(row<Size>(element, key));
+    return result;
+  }
 
+  // ["text", ...], however many.
   [[nodiscard]] std::vector<std::string> texts(std::string_view key) const;
 
   // From 1 to `most`.
   [[nodiscard]] std::size_t count(std::string_view key, std::size_t most) const;
   [[nodiscard]] std::vector<std::size_t> counts(std::string_view key, std::size_t most) const;
 
-  // A table in this one.
+  // The table of this key, by which messages call it, too.
   [[nodiscard]] TomlReader table(std::string_view key) const;
+
+  // Precondition: there is such a key.
+  [[nodiscard]] std::size_t line(std::string_view key) const;
 
   template <int Columns>
   [[nodiscard]] Eigen::Matrix<double, 3, Columns, Eigen::DontAlign> matrix(std::string_view key) const {
@@ -83,6 +93,7 @@ class TomlReader {
 
  private:
   [[nodiscard]] const toml::node& node(std::string_view key) const;
+  [[nodiscard]] const toml::array& list(std::string_view key, const char* form) const;
   [[nodiscard]] const toml::array& array(const toml::node& node, std::string_view key, const char* form,
                                          std::size_t size) const;
   [[nodiscard]] std::size_t count_of(const toml::node& node, std::string_view key, std::size_t most) const;

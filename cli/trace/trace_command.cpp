@@ -5,7 +5,7 @@
 #include <cerrno>
 #include <filesystem>
 
-#include "cli/analyze/view_analysis.h"
+#include "cli/analyze/scene_surface.h"
 #include "cli/options/camera_options.h"
 #include "cli/options/requests.h"
 #include "cli/pages/page_template.h"
@@ -47,7 +47,7 @@ Traced of_scene_file(const TraceOptions& options) {
                                  camera.name));
   }
   Progress silent(false);
-  MeshInput input = read_mesh(scene.mesh_file, Normals::passed_over, default_memory_limit(), silent);
+  MeshInput input = read_surface(scene, Normals::passed_over, default_memory_limit(), silent);
   const Analyzer analyzer(std::move(input.mesh), {.sides = options.sides.value_or(scene.sides), .precision = {}});
   return {scene.file, scene.file, "", {analyzer.shared_mesh(), camera, analyzer.sides(camera).sides, {}, {}}};
 }

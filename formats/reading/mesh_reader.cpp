@@ -3,6 +3,7 @@
 #include "formats/reading/file_bytes.h"
 #include "formats/reading/input_bytes.h"
 #include "formats/reading/mesh_format.h"
+#include "formats/reading/obj_materials.h"
 #include "formats/reading/obj_reader.h"
 #include "formats/reading/obj_source.h"
 #include "formats/reading/off_reader.h"
@@ -42,8 +43,9 @@ MeshFile read_mesh(const std::filesystem::path& file, const ReadLimits& limits, 
   const FoundFormat found = format_of(opened.head, opened.size);
   if (found.format == MeshFormat::obj) {
     // A pipe gives its bytes only once.
-    return opened.size ? read_obj(file, limits, normals)
-                       : read_obj(std::move(opened.bytes), file.string(), limits, normals);
+    return opened.size
+               ? read_obj(file, limits, normals)
+               : read_obj(std::move(opened.bytes), file.string(), limits, normals, files_in_folder(file.parent_path()));
   }
   InputBytes in(std::move(opened.bytes), file.string());
   return read_found(found, in, limits, normals);

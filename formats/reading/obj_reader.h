@@ -1,9 +1,14 @@
 // Wavefront OBJ: the vertices and faces of a file, as a mesh.
 //
-// In:  the statements `v x y z` and `f v[/[vt][/[vn]]] ...`, and `vn x y z` where normals are asked for; everything
-//      else is passed over, and no other file is ever opened (mtllib, call).
-// Out: the mesh, with every coordinate the correctly rounded double of what the file says, and one line for each kind
-//      of thing that was skipped or mended (ids are face indices from 0).
+// In:  the statements `v x y z` and `f v[/[vt][/[vn]]] ...`, and `vn x y z` where normals are asked for; `o`, `g`, `usemtl` and
+//      `s`, which say what regions faces are in, and `mtllib`; everything else is passed over.
+// Out: the mesh, with every coordinate the correctly rounded double of what the file says; its regions (face_regions.h), with
+//      what MTL files say of materials (mtl_reader.h); and one line for each kind of thing that was skipped or mended (ids
+//      are face indices from 0).
+//
+// Of other files only those are opened that mtllib names and that are beside the mesh: regular files, called by a plain name,
+// which has no slash or backslash and is not `..`. One that is missing, too large or called otherwise is a warning; geometry
+// never depends on it.
 //
 // What is refused (InputError with file and line): an index that is no integer, is 0, or names no vertex; a coordinate
 // that is missing, no decimal number (a hexadecimal one is none), not finite, or beyond the range of double; UTF-16
@@ -21,6 +26,8 @@
 //     negative one counts back from the vertices above it.
 //   - Columns of v after the third (w, colours) are not looked at.
 //   - Keywords are lower case, and end at a blank: `V`, `F`, `v1` are unknown keywords.
+//   - `o` and `usemtl` take the rest of their line as one name, `g` each word as a group. Where mtllib has several words, they
+//     are one name with blanks if there is a file called so, else a name each.
 //   - A backslash at the end of a line continues the statement on the next line, and separates like a blank. It does
 //     not continue a comment.
 //   - A file without faces is an empty scene, with a warning.
@@ -34,6 +41,8 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -44,11 +53,17 @@
 
 namespace sightline::inline formats {
 
+// Returns the text of the file of this plain name beside the mesh; nothing where there is none. May throw std::length_error,
+// which says what is the matter with it.
+using FilesBeside = std::function<std::optional<std::string>(const std::string& name)>;
+
 [[nodiscard]] SIGHTLINE_EXPORT MeshFile read_obj(const std::filesystem::path& file, const ReadLimits& limits = {},
                                                  Normals normals = Normals::passed_over);
 
-// Reads the same from text in memory; file_name is for messages.
+// Reads the same from text in memory; file_name is for messages. No file is opened: what is beside the mesh, `beside` has; where
+// that is empty, mtllib is passed over.
 [[nodiscard]] SIGHTLINE_EXPORT MeshFile read_obj(std::string_view text, const std::string& file_name,
-                                                 const ReadLimits& limits = {}, Normals normals = Normals::passed_over);
+                                                 const ReadLimits& limits = {}, Normals normals = Normals::passed_over,
+                                                 const FilesBeside& beside = {});
 
 }  // namespace sightline::inline formats

@@ -7,6 +7,6 @@
 namespace sightline::inline formats {
 
 [[nodiscard]] MeshFile read_obj(ByteSource bytes, const std::string& file_name, const ReadLimits& limits,
-                                Normals normals);
+                                Normals normals, const FilesBeside& beside);
 
 }  // namespace sightline::inline formats

@@ -7,16 +7,19 @@
 #include <stdexcept>
 
 #include "formats/reading/obj_scanner.h"
+#include "formats/reading/region_recorder.h"
 #include "geometry/numbers/errors.h"
 
 namespace sightline::inline formats {
 
 namespace {
 
-// These keywords add nothing to the surface: they are for attributes, groups, rendering, points and lines.
-constexpr std::array passed_over{"vt",  "vn",       "vp",       "p",          "l",        "o",      "g",
-                                 "s",   "mg",       "usemtl",   "mtllib",     "usemap",   "maplib", "bevel",
-                                 "lod", "c_interp", "d_interp", "shadow_obj", "trace_obj"};
+// These keywords add nothing to the surface: they are for attributes, rendering, points and lines.
+constexpr std::array passed_over{"vt",     "vn",    "vp",  "p",        "l",        "mg",         "usemap",
+                                 "maplib", "bevel", "lod", "c_interp", "d_interp", "shadow_obj", "trace_obj"};
+
+// More libraries are not looked for.
+constexpr std::size_t most_libraries = 100;
 
 class StatementParser {
  public:
@@ -40,6 +43,10 @@ class StatementParser {
   Vector3 next_coordinates(const char* needed);
   double next_coordinate(const char* needed);
   void parse_face();
+  bool parse_region(std::string_view keyword);
+  void parse_libraries();
+  std::string rest_of_statement();
+  std::vector<std::string> tokens_of_statement(std::size_t most);
   VertexId parse_corner(std::string_view token);
   VertexId resolve(std::int64_t index, std::string_view token);
   // This is the attribute, counted from 0, that an optional index into `count` of them names; it is nothing where the
@@ -59,6 +66,7 @@ class StatementParser {
   const ReadLimits limits_;
   const bool reads_normals_;
   ObjStatements result_;
+  RegionRecorder regions_;
   std::vector<VertexId> corners_;
   std::vector<ForwardReference> forward_;
   std::size_t known_count_ = 0;
@@ -78,6 +86,8 @@ ObjStatements StatementParser::parse() {
                      "no OBJ file: no statement has an OBJ keyword, the first has " + result_.unknown_keyword);
   }
   check_forward_references();
+  result_.region_limits = regions_.limits_met();
+  result_.regions = regions_.take();
   return std::move(result_);
 }
 
@@ -87,9 +97,53 @@ void StatementParser::parse_statement(std::string_view keyword) {
   if (keyword == "f") return parse_face();
   if (keyword == "vt") ++texture_count_;
   if (keyword == "vn") return parse_normal();
+  if (parse_region(keyword)) return;
   if (std::ranges::find(passed_over, keyword) != passed_over.end()) return;
   --known_count_;
   note_unknown(keyword);
+}
+
+// What is read of a name's tokens: more than the name keeps, so that it is seen to be cut.
+std::string StatementParser::rest_of_statement() {
+  std::string rest;
+  for (auto token = scanner_.next_token(); !token.empty(); token = scanner_.next_token()) {
+    if (rest.size() <= longest_region_name) rest += (rest.empty() ? "" : " ") + std::string(token);
+  }
+  return rest;
+}
+
+std::vector<std::string> StatementParser::tokens_of_statement(std::size_t most) {
+  std::vector<std::string> tokens;
+  for (auto token = scanner_.next_token(); !token.empty(); token = scanner_.next_token()) {
+    if (tokens.size() < most) tokens.emplace_back(token.substr(0, longest_region_name + 1));
+  }
+  return tokens;
+}
+
+// Returns whether the keyword is one of those that say which region faces are in.
+bool StatementParser::parse_region(std::string_view keyword) {
+  if (keyword == "g") {
+    regions_.set_groups(tokens_of_statement(most_groups_of_face + 1));
+  } else if (keyword == "o") {
+    regions_.set(RegionKind::object, rest_of_statement());
+  } else if (keyword == "usemtl") {
+    regions_.set(RegionKind::material, rest_of_statement());
+  } else if (keyword == "s") {
+    const std::string number = rest_of_statement();
+    regions_.set(RegionKind::smoothing, number == "off" || number == "0" ? "" : number);
+  } else if (keyword == "mtllib") {
+    parse_libraries();
+  } else {
+    return false;
+  }
+  return true;
+}
+
+void StatementParser::parse_libraries() {
+  const std::size_t line = scanner_.line();
+  std::vector<std::string> names = tokens_of_statement(most_libraries);
+  if (!names.empty() && result_.libraries.size() < most_libraries)
+    result_.libraries.push_back({std::move(names), line});
 }
 
 void StatementParser::note_unknown(std::string_view keyword) {
@@ -138,6 +192,7 @@ void StatementParser::parse_face() {
   if (result_.faces.corners.size() + corners_.size() > std::numeric_limits<std::uint32_t>::max())
     fail("more than 4294967295 corners");
   result_.faces.push_back(corners_);
+  regions_.add_face();
 }
 
 VertexId StatementParser::parse_corner(std::string_view token) {
@@ -183,7 +238,8 @@ void StatementParser::check_memory() const {
   const PolygonList& faces = result_.faces;
   // Normals count twice: so many are held while a list grows.
   const std::uint64_t needed = memory_for_mesh(result_.vertices.size(), faces.corners.size(), faces.size()) +
-                               2 * sizeof(Vector3) * (normals_.size() + result_.corner_normals.size());
+                               2 * sizeof(Vector3) * (normals_.size() + result_.corner_normals.size()) +
+                               regions_.memory();
   if (needed <= limits_.memory) return;
   fail("the mesh up to here needs about " + std::to_string(needed) + " bytes of memory, and the limit is " +
        std::to_string(limits_.memory) + "; raise it with --max-memory");

@@ -1,13 +1,11 @@
 #include "formats/writing/coverage_table.h"
 
+#include "formats/writing/csv_name.h"
 #include "formats/writing/text_buffer.h"
 
 namespace sightline::inline formats {
 
 namespace {
-
-// Names have neither quotation marks nor line breaks (camera_name.h).
-std::string field(const std::string& name) { return name.find(',') == std::string::npos ? name : '"' + name + '"'; }
 
 void add_areas(TextBuffer& out, double visible, double reflecting, double whole) {
   out << ',' << visible << ',' << reflecting << ',' << share_of(visible, whole) << ',' << share_of(reflecting, whole)
@@ -20,7 +18,7 @@ class Rows {
   Rows(TextBuffer& out, const Coverage& coverage) : out_(out), coverage_(coverage) {}
 
   void add(const std::string& camera, const std::string& panel, double visible, double reflecting) {
-    out_ << ',' << field(camera) << ',' << field(panel);
+    out_ << ',' << csv_name(camera) << ',' << csv_name(panel);
     add_areas(out_, visible, reflecting, coverage_.area);
   }
   void add_panels(const std::string& camera, const std::vector<std::string>& panels, const CoveredAreas& areas) {

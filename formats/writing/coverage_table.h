@@ -3,8 +3,8 @@
 // A row's face, camera and panel say what it is about; an empty field means all of them. The first rows are of all
 // faces: each camera with each panel, each camera, each panel, everything. Then everything follows per face, in file
 // order, index from 0. visible_area is that of the camera or cameras, whatever the panel is. Shares are of the
-// surface's area, or of the face's; they are 0 where that has no area. Without panels nothing reflects. A name with a
-// comma is in quotation marks (RFC 4180).
+// surface's area, or of the face's; they are 0 where that has no area. Without panels nothing reflects. Names are
+// as csv_name.h has them. Where only some faces count (coverage.h), the rows of all faces are of those.
 #pragma once
 
 #include <string>

@@ -107,7 +107,7 @@ class Marker {
   }
 
   std::uint64_t reflecting(const LabelledTriangle& triangle) {
-    if (!triangle.seen) return 0;
+    if (!triangle.seen || !world_.mirrors(triangle.face)) return 0;
     const std::array<Ray, 3> rays = mirrored_rays(triangle);
     std::uint64_t panels = 0;
     for (std::size_t panel = 0; panel < targets_.size(); ++panel) {

@@ -36,8 +36,9 @@ std::vector<std::size_t> earlier_ones_in_plane(const MirrorWorld& world, std::si
 }  // namespace
 
 MirrorWorld make_mirror_world(std::shared_ptr<const CutMesh> surface, std::vector<Panel> panels,
-                              const ReflectionOptions& options, const std::vector<Vector3>& given_normals) {
-  MirrorWorld world{std::move(surface), std::move(panels), options, {}, {}, {}, {}, {}, {}, 1, {}};
+                              const ReflectionOptions& options, const std::vector<Vector3>& given_normals,
+                              std::vector<std::uint8_t> mirror_faces) {
+  MirrorWorld world{std::move(surface), std::move(panels), options, {}, {}, {}, {}, {}, {}, 1, {}, std::move(mirror_faces)};
   if (world.panels.empty()) return world;
   world.obstacles = Obstacles(*world.surface);
   world.scale = unit_scale(world.surface->vertices);

@@ -1,6 +1,7 @@
 // The world is everything that can be reflected or be in the way, prepared once for all cameras.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
@@ -30,6 +31,8 @@ struct MirrorWorld {
   Obstacles obstacles;
   double scale = 1;              // unit_scale of the surface's vertices
   std::vector<Vector3> normals;  // where the options need them: vertex_normals(surface)
+  // Per face 1 where it mirrors; empty: all do. What does not is in the way all the same.
+  std::vector<std::uint8_t> mirror_faces;
 
   // Returns whether the facet counts as in the panel's plane: then it does not hide the panel.
   [[nodiscard]] bool is_snapped(std::size_t panel, UncutFacetId facet) const;
@@ -37,13 +40,16 @@ struct MirrorWorld {
   [[nodiscard]] bool is_snapped_surface(std::size_t panel, FacetId surface) const;
   // The same of another panel; the first one is in front of the second one.
   [[nodiscard]] bool is_snapped(std::size_t panel, std::size_t other) const;
+
+  [[nodiscard]] bool mirrors(FaceId face) const { return mirror_faces.empty() || mirror_faces[face.index()] != 0; }
 };
 
-// `given_normals` are as for vertex_normals. Errors: PanelError.
+// `given_normals` are as for vertex_normals, `mirror_faces` as in the world. Errors: PanelError.
 [[nodiscard]] SIGHTLINE_EXPORT MirrorWorld make_mirror_world(std::shared_ptr<const CutMesh> surface,
                                                              std::vector<Panel> panels,
                                                              const ReflectionOptions& options = {},
-                                                             const std::vector<Vector3>& given_normals = {});
+                                                             const std::vector<Vector3>& given_normals = {},
+                                                             std::vector<std::uint8_t> mirror_faces = {});
 
 struct ReflectionStatistics {
   std::uint64_t pyramids = 0;   // pairs of a panel and what may reflect it: a visible polygon, a triangle, a cell

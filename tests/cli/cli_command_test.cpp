@@ -60,7 +60,7 @@ TEST_CASE(
   const RunResult run = run_sightline({"analyze", fang_scene, "-o", out});
   CHECK(run.exit_code == 0);
   CHECK(run.err.empty());
-  CHECK(names_in(out) == std::set<std::string>{"page", "coverage.csv"});
+  CHECK(names_in(out) == std::set<std::string>{"page", "coverage.csv", "regions.csv"});
   CHECK(names_in(out + "/page") == as_set(result_files));
   CHECK(run.out.find("page/view.svg") != std::string::npos);
   for (const std::string& line : lines_of(run.out)) {
@@ -129,7 +129,7 @@ TEST_CASE("two runs give the same bytes, except for times and memory") {
   const std::string demo = SIGHTLINE_FIXTURES_DIR "/demo/scene.toml";
   REQUIRE(run_sightline({"analyze", demo, "-o", first.path().string()}).exit_code == 0);
   REQUIRE(run_sightline({"analyze", demo, "-o", second.path().string()}).exit_code == 0);
-  CHECK(names_in(first.path()) == std::set<std::string>{"close-up", "coverage.csv", "front", "sun"});
+  CHECK(names_in(first.path()) == std::set<std::string>{"close-up", "coverage.csv", "front", "regions.csv", "sun"});
   CHECK(read_text(first.path() / "coverage.csv") == read_text(second.path() / "coverage.csv"));
   for (const char* camera : {"close-up", "front", "sun"}) {
     for (const std::string& file : result_files) {
@@ -151,7 +151,7 @@ TEST_CASE("results replace older ones and leave other files alone") {
   CHECK(run_sightline({"analyze", fang_scene, "-o", folder.path().string()}).exit_code == 0);
   CHECK(read_text(other) == "mine");
   CHECK(read_text(folder.path() / "page" / "faces.csv") != "old");
-  CHECK(names_in(folder.path()) == std::set<std::string>{"coverage.csv", "page"});
+  CHECK(names_in(folder.path()) == std::set<std::string>{"coverage.csv", "page", "regions.csv"});
 }
 
 TEST_CASE("wrong input ends with exit code 1 and one line that says where") {

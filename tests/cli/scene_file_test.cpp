@@ -199,7 +199,7 @@ TEST_CASE("what is wrong in a scene file is named with key and line") {
       {"reflection = 1\n" + good, 1, "'reflection' must be a table"},
       {"colour = 1\n" + good, 1, "unknown key 'colour' in the scene file"},
       {"\"one\\ntwo\" = 1\n" + good, 1, "unknown key 'one\\x0atwo' in the scene file"},
-      {mesh_part + "side = \"auto\"\n" + pinhole, 3, "unknown key 'side' in [mesh]; it can have: file, sides"},
+      {mesh_part + "side = \"auto\"\n" + pinhole, 3, "unknown key 'side' in [mesh]; it can have: file, name, sides"},
       {good + "zoom = 1\nfocus = 2\n", 8, "unknown key 'zoom' in [[camera]]"},
       {good + "image = [1, 1]\n", 8, "unknown key 'image'"},
       {mesh_part + matrix_camera + "eye = [1, 2, 3]\n", 7, "unknown key 'eye'"},

@@ -168,4 +168,24 @@ TEST_CASE("what is kept of a view: no triangles where a surface is all alike") {
   CHECK(part.triangles_of(1).empty());
 }
 
+TEST_CASE("only faces that count are in the sums; each face has its own areas all the same") {
+  const CutMesh mesh = lattice::cut(mesh_of({square, {{8, 0, 0}, {10, 0, 0}, {10, 2, 0}, {8, 2, 0}}}));
+  std::vector<SeenPart> seen;
+  for (const Camera& camera : {over(5, 1, 4), over(9, 1, 1)})
+    seen.push_back(seen_part(analyzed(mesh, camera).labelled));
+  const Coverage all = cover(mesh, seen, 0);
+  const Coverage second = cover(mesh, seen, 0, std::vector<std::uint8_t>{0, 1});
+  CHECK(all.area == 20);
+  CHECK(second.area == 4);
+  CHECK(is_close(second.cameras[0].visible, 2));
+  CHECK(is_close(second.cameras[1].visible, 4));
+  CHECK(is_close(second.together.visible, 4));
+  for (std::size_t f = 0; f < 2; ++f) CHECK(second.faces[f].visible == all.faces[f].visible);
+  CHECK(is_close(all.together.visible, 4 + all.faces[0].visible));
+  CHECK(all.faces[0].visible > 1);
+  const Coverage none = cover(mesh, seen, 0, std::vector<std::uint8_t>{0, 0});
+  CHECK(none.area == 0);
+  CHECK(none.together.visible == 0);
+}
+
 }  // namespace sightline::tests::coverage_test

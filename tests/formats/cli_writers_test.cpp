@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/analyze/view_analysis.h"
+#include "cli/analyze/scene_surface.h"
 #include "cli/results/face_measures.h"
 #include "cli/results/report.h"
 #include "cli/scene/scene_file.h"
@@ -47,7 +47,7 @@ Analysed analysed(const std::string& scene_file, std::size_t camera) {
   Progress silent(false);
   Analysed result;
   result.scene = read_scene_file(std::string(SIGHTLINE_FIXTURES_DIR) + "/" + scene_file);
-  result.input = read_mesh(result.scene.mesh_file, Normals::passed_over, default_memory_limit(), silent);
+  result.input = read_surface(result.scene, Normals::passed_over, default_memory_limit(), silent);
   const Analyzer analyzer(std::move(result.input.mesh), {.sides = result.scene.sides});
   result.analysis.view = analyzer.view(result.scene.cameras[camera], result.scene.panels);
   result.faces = measure_faces(result.analysis.view);
