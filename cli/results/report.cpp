@@ -176,8 +176,8 @@ std::vector<std::string> warnings_of(const MeshInput& input, std::size_t faces_b
 }
 
 void add_doubts(const View& view, Report& report) {
-  const Report::FaceCounts& faces = report.counts.faces;
-  for (const ViewDoubt& doubt : doubts_about_view(view, faces.visible + faces.hidden > 0, faces.back_facing)) {
+  const std::size_t back_facing = report.counts.faces.back_facing;
+  for (const ViewDoubt& doubt : doubts_about_view(view, report.areas.in_view > 0, back_facing)) {
     report.warnings.push_back(doubt.full);
     report.doubts.push_back(doubt.brief);
   }

@@ -20,7 +20,7 @@ struct ViewDoubt {
   std::string full;   // with the numbers, and what to do
 };
 
-// back_facing: how many faces are. any_in_view: whether a face is visible or hidden, that is, in view.
+// back_facing: how many faces are. any_in_view: whether a face that counts (culling.h) has a part in the view volume.
 [[nodiscard]] std::vector<ViewDoubt> doubts_about_view(const Visibility& view, bool any_in_view,
                                                        std::size_t back_facing);
 

@@ -30,7 +30,7 @@ std::vector<ViewDoubt> doubts(const Mesh& mesh, const Camera& camera, SidesPolic
   bool any = false;
   std::size_t back_facing = 0;
   for (const LabelledTriangle& triangle : view.labelled.triangles) {
-    any = any || triangle.label == Label::visible || triangle.label == Label::hidden;
+    any = any || triangle.seen || triangle.label == Label::visible || triangle.label == Label::hidden;
     if (triangle.label == Label::back_facing) ++back_facing;
   }
   return doubts_about_view(view, any, back_facing);
@@ -67,7 +67,7 @@ TEST_CASE("where the mesh is, is said of every view of nothing, and of no other"
   check_doubt(doubts(mesh, from({-9, 0, 8}, {-9, 0, 0})), "right of the view", "look at the camera's axes");
   check_doubt(doubts(mesh, from({0, -9, 8}, {0, -9, 0})), "above the view", "");
   check_doubt(doubts(mesh, from({0, 9, 8}, {0, 9, 0})), "below the view", "");
-  check_doubt(doubts(mesh, from({0, 0, 0.5}, {9, 0, 0.5})), "beside the view", "from (-1, -1, -1) to (1, 1, 1)");
+  check_doubt(doubts(mesh, from({0, 0, 0.5}, {9, 0, 0.5})), "beside the view", "from (-0.5, -1, -1) to (-0.5, 1, 1)");
 }
 
 TEST_CASE("faces that all turn their backs are said to do so") {
