@@ -43,30 +43,35 @@ double slope(const ImageTriangle& t, const CornerValues& values) {
   return std::hypot(second * dy(2) - third * dy(1), third * dx(1) - second * dx(2)) / twice_area(t);
 }
 
-// A part of a cell as linear functions have it, and how far each may be from what it stands for.
+// A part of a cell as linear functions have it: what each stands for may fail where the function is at most `below`, and hold
+// where it is at least `-above`. Both are not negative.
 struct LinearCondition {
   CornerValues values;
-  double reach = 0;
+  double below = 0;
+  double above = 0;
 };
 using LinearConditions = boost::container::small_vector<LinearCondition, 8>;
 
 LinearConditions linear(const ConvexPart& part) {
   LinearConditions result;
-  for (const SeamedCondition& c : part)
-    result.push_back({c.condition.value.corners(), c.condition.value.departure() + c.condition.noise});
+  for (const SeamedCondition& c : part) {
+    const Quartic::Departure departure = c.condition.value.departure();
+    result.push_back(
+        {c.condition.value.corners(), departure.below + c.condition.noise, departure.above + c.condition.noise});
+  }
   return result;
 }
 
 // Nothing beyond this is in the part.
 BarycentricPolygon outer_part(BarycentricPolygon polygon, const LinearConditions& conditions) {
-  for (const LinearCondition& c : conditions) polygon = part_above(polygon, c.values, -c.reach);
+  for (const LinearCondition& c : conditions) polygon = part_above(polygon, c.values, -c.above);
   return polygon;
 }
 
 // All of the polygon is in the part.
 bool covers(const LinearConditions& conditions, const BarycentricPolygon& polygon) {
   return std::ranges::all_of(conditions, [&](const LinearCondition& c) {
-    return std::ranges::all_of(polygon, [&](const Barycentric& p) { return value_at(c.values, p) > c.reach; });
+    return std::ranges::all_of(polygon, [&](const Barycentric& p) { return value_at(c.values, p) > c.below; });
   });
 }
 
@@ -105,10 +110,10 @@ double farthest_from(const ImageTriangle& t, const BarycentricPolygon& polygon, 
 // some corner.
 CellPrecision uncertainty_along(const ImageTriangle& corners, const BarycentricPolygon& outer,
                                 const BarycentricPolygon& inner, const LinearCondition& c) {
-  const BarycentricPolygon strip = part_above(outer, negative(c.values), -c.reach);
+  const BarycentricPolygon strip = part_above(outer, negative(c.values), -c.below);
   const double share = share_of(strip);
   if (!(share > 0)) return {};
-  const double width = c.reach / slope(corners, c.values);
+  const double width = (c.below + c.above) / slope(corners, c.values);
   const double outside = farthest_from(corners, part_above(strip, negative(c.values), 0), inner);
   return {share * twice_area(corners) / 2, std::min(diameter(corners), std::max(width, outside))};
 }
@@ -228,6 +233,8 @@ std::vector<CornerValues> corner_values(const ConvexPart& part) {
 }
 
 }  // namespace
+
+bool narrow_to_lit(LitCell& cell) { return narrow(cell) && !CellMeasure(cell).is_dark(); }
 
 bool is_lit_at(const LitCell& cell, const Point2& place) {
   const Barycentric at = barycentric(cell.corners, place);

@@ -98,6 +98,9 @@ class LitCells {
   std::uint64_t shadow_count_ = 0;
 };
 
+// Leaves out of the cell what holds everywhere, and parts that are nowhere. Returns false where nothing is lit for certain.
+[[nodiscard]] bool narrow_to_lit(LitCell& cell);
+
 // Returns whether a place of the cell is lit for certain.
 [[nodiscard]] bool is_lit_at(const LitCell& cell, const Point2& place);
 

@@ -36,16 +36,17 @@ Quartic::Quartic(const BarycentricForm<degree, double>& form) {
   for (std::size_t i = 0; i < coefficients_.size(); ++i) coefficients_[i] = form.coefficients[i] / multinomials[i];
 }
 
-double Quartic::departure() const {
+Quartic::Departure Quartic::departure() const {
   const std::array<double, 3> corner = corners();
-  double greatest = 0;
+  Departure result;
   for_each_coefficient([&](std::size_t i, std::size_t j, std::size_t k, std::size_t at) {
     const double linear =
         (static_cast<double>(i) * corner[0] + static_cast<double>(j) * corner[1] + static_cast<double>(k) * corner[2]) /
         n;
-    greatest = std::max(greatest, std::fabs(coefficients_[at] - linear));
+    result.below = std::max(result.below, linear - coefficients_[at]);
+    result.above = std::max(result.above, coefficients_[at] - linear);
   });
-  return greatest;
+  return result;
 }
 
 double Quartic::at(const std::array<double, 3>& barycentric) const {

@@ -194,7 +194,8 @@ LitCell SmoothMirror::cell_of(const SmoothPatch& patch, const ImageTriangle& cov
   LitCell cell{cover, {}, {}};
   if (!beam.may_reach({world_.scale * box.low, world_.scale * box.high})) return cell;
   add_images(mirror, side, cell.images);
-  if (!cell.images.empty()) cell.shadows = shadows(mirror, beam, side, statistics);
+  if (!narrow_to_lit(cell)) return {cover, {}, {}};
+  cell.shadows = shadows(mirror, beam, side, statistics);
   return cell;
 }
 
