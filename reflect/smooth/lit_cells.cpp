@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <map>
 
 namespace sightline::inline reflect {
 namespace {
@@ -195,18 +196,11 @@ class CellMeasure {
   CellPrecision uncertain_;
 };
 
-std::optional<ImagePoint> middle(const ImagePoint& p, const ImagePoint& q) {
-  const std::int64_t x = p.x + q.x;
-  const std::int64_t y = p.y + q.y;
-  if (x % 2 != 0 || y % 2 != 0) return std::nullopt;
-  return ImagePoint{x / 2, y / 2};
-}
-
 std::array<ConvexPart, 2> halves(const ConvexPart& part) {
   std::array<ConvexPart, 2> result;
   for (const SeamedCondition& c : part) {
     const std::array<Quartic, 2> values = c.condition.value.halves();
-    for (std::size_t i = 0; i < 2; ++i) result[i].push_back({{values[i], c.condition.noise}, c.seam});
+    for (std::size_t i = 0; i < 2; ++i) result[i].push_back({{values[i], c.condition.noise}, c.seam, c.line});
   }
   return result;
 }
@@ -226,10 +220,20 @@ std::optional<std::array<LitCell, 2>> halves(const LitCell& cell) {
   return result;
 }
 
-std::vector<CornerValues> corner_values(const ConvexPart& part) {
-  std::vector<CornerValues> values;
-  for (const SeamedCondition& c : part) values.push_back(c.condition.value.corners());
-  return values;
+// Facets that share an edge have the same line there, on whichever side they are of it.
+void number_lines(LitCell& cell) {
+  std::map<Seam, std::uint32_t> seams;
+  std::uint32_t count = 0;
+  for (std::vector<ConvexPart>* parts : {&cell.images, &cell.shadows}) {
+    for (ConvexPart& part : *parts) {
+      for (SeamedCondition& c : part) {
+        c.line = count++;
+        if (!c.seam) continue;
+        const auto [start, end] = std::minmax(c.seam->start, c.seam->end);
+        c.line = seams.try_emplace(Seam{c.seam->object, true, start, end}, c.line).first->second;
+      }
+    }
+  }
 }
 
 }  // namespace
@@ -252,6 +256,15 @@ Standing standing(const Condition& condition) {
 }
 
 void LitCells::look_at(LitCell cell) {
+  number_lines(cell);
+  divide(std::move(cell));
+  const RegionBorder lit = border_of_cells(kept_, halved_);
+  border_.insert(border_.end(), lit.begin(), lit.end());
+  kept_.clear();
+  halved_.clear();
+}
+
+void LitCells::divide(LitCell cell) {
   if (is_outside(cell.corners)) return;
   ++cell_count_;
   const bool may_be_lit = narrow(cell);
@@ -262,11 +275,12 @@ void LitCells::look_at(LitCell cell) {
   }
   if (!is_precise(measure->uncertain())) {
     if (auto parts = halves(cell)) {
-      for (LitCell& part : *parts) look_at(std::move(part));
+      if (wanted_ == CellResult::border) halved_.insert(side_between(cell.corners[0], cell.corners[1]));
+      for (LitCell& part : *parts) divide(std::move(part));
       return;
     }
   }
-  keep(cell, measure->uncertain(), measure->lit_share());
+  keep(std::move(cell), measure->uncertain(), measure->lit_share());
 }
 
 bool LitCells::is_outside(const ImageTriangle& t) const {
@@ -275,7 +289,7 @@ bool LitCells::is_outside(const ImageTriangle& t) const {
   return outline_.place_of({left, bottom}, std::max(right - left, top - bottom)) == SquarePlace::outside;
 }
 
-void LitCells::keep(const LitCell& cell, const CellPrecision& uncertain, double lit_share) {
+void LitCells::keep(LitCell cell, const CellPrecision& uncertain, double lit_share) {
   shadow_count_ += cell.shadows.empty() ? 0 : 1;
   uncertain_area_ += uncertain.area;
   uncertain_count_ += uncertain.area > 0 ? 1 : 0;
@@ -284,30 +298,7 @@ void LitCells::keep(const LitCell& cell, const CellPrecision& uncertain, double 
   const bool is_lit =
       cell.shadows.empty() && std::ranges::any_of(cell.images, [](const ConvexPart& image) { return image.empty(); });
   has_dark_ = has_dark_ || !is_lit;
-  if (wanted_ == CellResult::measure) return;
-  const RegionBorder lit = lit_border(cell);
-  border_.insert(border_.end(), lit.begin(), lit.end());
-}
-
-RegionBorder LitCells::lit_border(const LitCell& cell) const {
-  const std::vector<ImagePolygon> triangle{ImagePolygon(cell.corners.begin(), cell.corners.end())};
-  std::vector<ImagePolygon> images;
-  std::vector<ImagePolygon> shadows;
-  bool is_whole = false;
-  for (const ConvexPart& image : cell.images) {
-    LinearPart part = linear_part(cell.corners, corner_values(image), grid_bits_);
-    is_whole = is_whole || part.is_whole;
-    if (!part.polygon.empty()) images.push_back(std::move(part.polygon));
-  }
-  for (const ConvexPart& shadow : cell.shadows) {
-    LinearPart part = linear_part(cell.corners, corner_values(shadow), grid_bits_);
-    if (part.is_whole) return {};
-    if (!part.polygon.empty()) shadows.push_back(std::move(part.polygon));
-  }
-  if (images.empty()) return {};
-  RegionBorder border = lit_region(triangle, {}, grid_bits_);
-  if (is_whole && shadows.empty()) return border;
-  return common_part(border, lit_region(images, shadows, grid_bits_));
+  if (wanted_ == CellResult::border) kept_.push_back(std::move(cell));
 }
 
 }  // namespace sightline::inline reflect

@@ -8,45 +8,16 @@
 // Method: a condition that holds in a cell is no more asked in its parts, and what contradicts one is left out. Cells are halved
 //      at their older side (newest-vertex bisection), whose middle is a grid point as long as it divides.
 //      A condition that is noise everywhere in a cell, as that of a ray along the plane of an obstacle, does not hold.
-// Complexity: O(k) per cell for k conditions that are open there; overlay.h's where the border is.
+// Complexity: O(k) per cell for k conditions that are open there; cell_borders.h's where the border is.
 // Source: Farin 1986 (Bernstein's basis); Sewell 1972, Mitchell 1989 (newest-vertex bisection).
 #pragma once
 
-#include <array>
-#include <optional>
 #include <vector>
 
 #include "reflect/regions/polygon_outline.h"
-#include "reflect/smooth/bent_mirror.h"
-#include "reflect/smooth/linear_part.h"
+#include "reflect/smooth/cell_borders.h"
 
 namespace sightline::inline reflect {
-
-// An edge of a facet, as a ray meets the facet from one side. Where two facets share it, each on its own side of it, there is no border of both
-// together.
-struct Seam {
-  std::uint32_t object = 0;
-  bool from_front = true;
-  std::uint32_t start = 0;
-  std::uint32_t end = 0;
-  friend constexpr auto operator<=>(const Seam&, const Seam&) = default;
-
-  [[nodiscard]] constexpr Seam from_beyond() const { return {object, from_front, end, start}; }
-};
-
-struct SeamedCondition {
-  Condition condition;
-  std::optional<Seam> seam;
-};
-
-// All of the conditions hold there: those that are open; the others are settled.
-using ConvexPart = std::vector<SeamedCondition>;
-
-struct LitCell {
-  ImageTriangle corners;  // counter-clockwise; the first two have the older side between them
-  std::vector<ConvexPart> images;
-  std::vector<ConvexPart> shadows;
-};
 
 // In spacings of the grid: what area of a cell may stay uncertain, and how far its border may be from where it should be.
 struct CellPrecision {
@@ -59,8 +30,8 @@ enum class CellResult : std::uint8_t { measure, border };
 
 class LitCells {
  public:
-  LitCells(const PolygonOutline& outline, const CellPrecision& precision, CellResult wanted, int grid_bits)
-      : outline_(outline), precision_(precision), wanted_(wanted), grid_bits_(grid_bits) {}
+  LitCells(const PolygonOutline& outline, const CellPrecision& precision, CellResult wanted)
+      : outline_(outline), precision_(precision), wanted_(wanted) {}
 
   void look_at(LitCell cell);
 
@@ -81,13 +52,14 @@ class LitCells {
   [[nodiscard]] bool is_precise(const CellPrecision& uncertain) const {
     return uncertain.area <= precision_.area && uncertain.distance <= precision_.distance;
   }
-  void keep(const LitCell& cell, const CellPrecision& uncertain, double lit_share);
-  [[nodiscard]] RegionBorder lit_border(const LitCell& cell) const;
+  void divide(LitCell cell);
+  void keep(LitCell cell, const CellPrecision& uncertain, double lit_share);
 
   const PolygonOutline& outline_;
   CellPrecision precision_;
   CellResult wanted_;
-  int grid_bits_;
+  std::vector<LitCell> kept_;
+  CellSides halved_;
   RegionBorder border_;
   bool has_dark_ = false;
   double uncertain_area_ = 0;

@@ -107,7 +107,7 @@ bool has_witness(const RegionBorder& border, const std::vector<LitCell>& covers)
 RegionBorder inside_half_planes(RegionBorder border, const SmoothPatch& patch, int grid_bits) {
   for (const ImagePolygon& half_plane : patch.half_planes) {
     if (border.empty() || half_plane.size() < 3) return {};
-    border = common_part(border, lit_region({half_plane}, {}, grid_bits));
+    border = common_part(lit_region({half_plane}, {}, grid_bits), border);
   }
   return border;
 }
@@ -145,7 +145,7 @@ SmoothMirror::Reflecting SmoothMirror::reflecting(const RegionBorder& polygon, s
   std::vector<LitCell> covers;
   for (const SmoothPatch& patch : patches_) {
     for (const PanelSide& side : sides_of(panel)) {
-      LitCells cells(outline, precision, wanted, scene_.grid_bits);
+      LitCells cells(outline, precision, wanted);
       bool is_lit = patches_.size() == 1;
       for (const ImageTriangle& cover : patch.covers) {
         LitCell cell = cell_of(patch, cover, side, statistics);
@@ -161,7 +161,7 @@ SmoothMirror::Reflecting SmoothMirror::reflecting(const RegionBorder& polygon, s
       result.distance = std::max(result.distance, cells.distance());
       result.uncertain_cells += cells.uncertain_count();
       result.area += cells.estimated_area();
-      const RegionBorder part = inside_half_planes(without_seams(cells.border()), patch, scene_.grid_bits);
+      const RegionBorder part = inside_half_planes(cells.border(), patch, scene_.grid_bits);
       found.insert(found.end(), part.begin(), part.end());
     }
   }
