@@ -15,6 +15,7 @@ struct Chord {
   ImagePoint start;
   ImagePoint end;
   std::array<std::optional<ImagePoint>, 3> on_sides;  // where it meets the cell's sides
+  const SeamedCondition* condition = nullptr;
 };
 
 // What is to the left of all of them.
@@ -27,10 +28,11 @@ struct ChordCell {
 
 constexpr std::size_t no_side = 3;
 
-// The edge from a corner runs along a side of the cell, by its number, or through the cell.
+// The edge from a corner runs along a side of the cell, by its number, or along a chord.
 struct CellCorner {
   ImagePoint place;
   std::size_t side = no_side;
+  const Chord* chord = nullptr;
 };
 using CellPolygon = boost::container::small_vector<CellCorner, 8>;
 
@@ -39,33 +41,116 @@ ImagePoint rounded_between(const ImagePoint& p, const ImagePoint& q, double shar
           p.y + std::llround(share * static_cast<double>(q.y - p.y))};
 }
 
-// What of an edge is left of a chord ends here, or begins.
-ImagePoint crossing_of(const CellCorner& from, const ImagePoint& to, const Chord& chord) {
-  if (from.side != no_side && chord.on_sides[from.side]) return *chord.on_sides[from.side];
-  const auto at_from = static_cast<double>(twice_area(chord.start, chord.end, from.place));
-  const auto at_to = static_cast<double>(twice_area(chord.start, chord.end, to));
-  return rounded_between(from.place, to, at_from / (at_from - at_to));
-}
+// The corner that two edges of a facet share.
+struct FacetCorner {
+  std::uint32_t object = 0;
+  std::uint32_t vertex = 0;
+  friend constexpr bool operator==(const FacetCorner&, const FacetCorner&) = default;
+};
 
-// This is one side of Sutherland and Hodgman's clipping.
-CellPolygon part_left_of(const Chord& chord, const CellPolygon& polygon) {
-  CellPolygon result;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const CellCorner& from = polygon[i];
-    const ImagePoint& to = polygon[i + 1 == polygon.size() ? 0 : i + 1].place;
-    const bool from_is_left = orientation(chord.start, chord.end, from.place) >= 0;
-    const bool to_is_left = orientation(chord.start, chord.end, to) >= 0;
-    if (from_is_left) result.push_back(from);
-    if (from_is_left != to_is_left)
-      result.push_back({crossing_of(from, to, chord), from_is_left ? no_side : from.side});
+std::optional<FacetCorner> common_corner(const SeamedCondition& a, const SeamedCondition& b) {
+  if (!a.seam || !b.seam || a.seam->object != b.seam->object) return std::nullopt;
+  for (const std::uint32_t vertex : {a.seam->start, a.seam->end}) {
+    if (vertex == b.seam->start || vertex == b.seam->end) return FacetCorner{a.seam->object, vertex};
   }
-  return result;
+  return std::nullopt;
 }
 
-CellPolygon part_left_of(const ChordPart& part, CellPolygon polygon) {
-  for (const Chord& chord : part) polygon = part_left_of(chord, polygon);
-  return polygon;
+// Returns where both conditions are zero, near a place where they are, nearly: Newton's method with the derivatives of their linear
+// functions.
+Barycentric common_zero(const Condition& a, const Condition& b, Barycentric at) {
+  const CornerValues of_a = a.value.corners();
+  const CornerValues of_b = b.value.corners();
+  const double determinant =
+      (of_a[1] - of_a[0]) * (of_b[2] - of_b[0]) - (of_a[2] - of_a[0]) * (of_b[1] - of_b[0]);
+  for (int step = 0; step < 3; ++step) {
+    const double at_a = a.value.at(at);
+    const double at_b = b.value.at(at);
+    at[1] -= (at_a * (of_b[2] - of_b[0]) - (of_a[2] - of_a[0]) * at_b) / determinant;
+    at[2] -= ((of_a[1] - of_a[0]) * at_b - at_a * (of_b[1] - of_b[0])) / determinant;
+    at[0] = 1 - at[1] - at[2];
+  }
+  return at;
 }
+
+// Parts of one cell. Facets around a vertex have it at the same place as long as that is where their conditions allow it to be:
+// then there is no gap between their shadows.
+class CellParts {
+ public:
+  explicit CellParts(const ImageTriangle& corners) : corners_(corners) {}
+
+  [[nodiscard]] CellPolygon part_left_of(const ChordPart& part, CellPolygon polygon) {
+    for (const Chord& chord : part) polygon = part_left_of(chord, polygon);
+    return polygon;
+  }
+
+ private:
+  struct Vertex {
+    FacetCorner corner;
+    ImagePoint place;
+  };
+
+  // This is one side of Sutherland and Hodgman's clipping.
+  [[nodiscard]] CellPolygon part_left_of(const Chord& chord, const CellPolygon& polygon) {
+    CellPolygon result;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const CellCorner& from = polygon[i];
+      const ImagePoint& to = polygon[i + 1 == polygon.size() ? 0 : i + 1].place;
+      const bool from_is_left = orientation(chord.start, chord.end, from.place) >= 0;
+      const bool to_is_left = orientation(chord.start, chord.end, to) >= 0;
+      if (from_is_left) result.push_back(from);
+      if (from_is_left && !to_is_left) result.push_back({crossing_of(from, to, chord), no_side, &chord});
+      if (!from_is_left && to_is_left) result.push_back({crossing_of(from, to, chord), from.side, from.chord});
+    }
+    return result;
+  }
+
+  // Where the edge that begins at a corner crosses the chord.
+  [[nodiscard]] ImagePoint crossing_of(const CellCorner& from, const ImagePoint& to, const Chord& chord) {
+    if (from.side != no_side && chord.on_sides[from.side]) return *chord.on_sides[from.side];
+    const auto at_from = static_cast<double>(twice_area(chord.start, chord.end, from.place));
+    const auto at_to = static_cast<double>(twice_area(chord.start, chord.end, to));
+    const ImagePoint crossing = rounded_between(from.place, to, at_from / (at_from - at_to));
+    if (from.chord == nullptr) return crossing;
+    const auto corner = common_corner(*from.chord->condition, *chord.condition);
+    return corner ? place_of(*corner, crossing, *from.chord->condition, *chord.condition) : crossing;
+  }
+
+  [[nodiscard]] ImagePoint place_of(const FacetCorner& corner, const ImagePoint& crossing, const SeamedCondition& a,
+                                    const SeamedCondition& b) {
+    auto known = std::ranges::find(vertices_, corner, &Vertex::corner);
+    if (known == vertices_.end()) {
+      vertices_.push_back({corner, inside(common_zero(a.condition, b.condition, barycentric_of(crossing))).value_or(crossing)});
+      known = std::prev(vertices_.end());
+    }
+    return may_be_at(known->place, a) && may_be_at(known->place, b) ? known->place : crossing;
+  }
+
+  [[nodiscard]] Barycentric barycentric_of(const ImagePoint& p) const {
+    return barycentric(corners_, {static_cast<double>(p.x), static_cast<double>(p.y)});
+  }
+
+  // Nothing where it is not in the cell.
+  [[nodiscard]] std::optional<ImagePoint> inside(const Barycentric& p) const {
+    if (!(std::ranges::min(p) >= 0)) return std::nullopt;
+    const auto along = [&](auto coordinate) {
+      const auto way = [&](std::size_t i) { return p[i] * static_cast<double>(coordinate(i) - coordinate(0)); };
+      return coordinate(0) + std::llround(way(1) + way(2));
+    };
+    return ImagePoint{along([&](std::size_t i) { return corners_[i].x; }),
+                      along([&](std::size_t i) { return corners_[i].y; })};
+  }
+
+  // Returns whether the condition's border may pass there.
+  [[nodiscard]] bool may_be_at(const ImagePoint& place, const SeamedCondition& c) const {
+    const LinearCondition line = linear(c.condition);
+    const double value = value_at(line.values, barycentric_of(place));
+    return -line.above <= value && value <= line.below;
+  }
+
+  const ImageTriangle& corners_;
+  std::vector<Vertex> vertices_;
+};
 
 // Segments by how often they run from their first end, in sweep order, to the second, less how often they run back.
 class WoundSegments {
@@ -141,7 +226,7 @@ class CellBorders {
   }
 
   [[nodiscard]] Chord chord_of(const ImageTriangle& corners, const SeamedCondition& c, const CornerValues& values) {
-    Chord chord;
+    Chord chord{{}, {}, {}, &c};
     for (std::size_t side = 0; side < 3; ++side) {
       const bool from_positive = values[side] >= 0;
       if (from_positive == (values[(side + 1) % 3] >= 0)) continue;
@@ -212,12 +297,13 @@ class CellBorders {
     for (std::size_t side = 0; side < 3; ++side) {
       add_places(corners[side], corners[(side + 1) % 3], places[side]);
       places[side].push_back(corners[(side + 1) % 3]);
-      triangle.push_back({corners[side], side});
+      triangle.push_back({corners[side], side, nullptr});
     }
+    CellParts parts(corners);
     for (const ChordPart& image : cell.images) {
-      const CellPolygon seen = part_left_of(image, triangle);
+      const CellPolygon seen = parts.part_left_of(image, triangle);
       add_ring(seen, places, 1);
-      for (const ChordPart& shadow : cell.shadows) add_ring(part_left_of(shadow, seen), places, -1);
+      for (const ChordPart& shadow : cell.shadows) add_ring(parts.part_left_of(shadow, seen), places, -1);
     }
   }
 

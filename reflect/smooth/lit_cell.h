@@ -38,4 +38,17 @@ struct LitCell {
   std::vector<ConvexPart> shadows;
 };
 
+// A condition as the linear function of its values at the corners has it: it may fail where the function is at most `below`, and hold
+// where it is at least `-above`. Neither is negative.
+struct LinearCondition {
+  CornerValues values;
+  double below = 0;
+  double above = 0;
+};
+
+[[nodiscard]] inline LinearCondition linear(const Condition& condition) {
+  const Quartic::Departure departure = condition.value.departure();
+  return {condition.value.corners(), departure.below + condition.noise, departure.above + condition.noise};
+}
+
 }  // namespace sightline::inline reflect

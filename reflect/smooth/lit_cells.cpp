@@ -44,22 +44,11 @@ double slope(const ImageTriangle& t, const CornerValues& values) {
   return std::hypot(second * dy(2) - third * dy(1), third * dx(1) - second * dx(2)) / twice_area(t);
 }
 
-// A part of a cell as linear functions have it: what each stands for may fail where the function is at most `below`, and hold
-// where it is at least `-above`. Both are not negative.
-struct LinearCondition {
-  CornerValues values;
-  double below = 0;
-  double above = 0;
-};
 using LinearConditions = boost::container::small_vector<LinearCondition, 8>;
 
 LinearConditions linear(const ConvexPart& part) {
   LinearConditions result;
-  for (const SeamedCondition& c : part) {
-    const Quartic::Departure departure = c.condition.value.departure();
-    result.push_back(
-        {c.condition.value.corners(), departure.below + c.condition.noise, departure.above + c.condition.noise});
-  }
+  for (const SeamedCondition& c : part) result.push_back(linear(c.condition));
   return result;
 }
 
