@@ -210,9 +210,8 @@ std::optional<std::array<LitCell, 2>> halves(const LitCell& cell) {
 }
 
 // Facets that share an edge have the same line there, on whichever side they are of it.
-void number_lines(LitCell& cell) {
+void number_lines(LitCell& cell, std::uint32_t& count) {
   std::map<Seam, std::uint32_t> seams;
-  std::uint32_t count = 0;
   for (std::vector<ConvexPart>* parts : {&cell.images, &cell.shadows}) {
     for (ConvexPart& part : *parts) {
       for (SeamedCondition& c : part) {
@@ -223,6 +222,20 @@ void number_lines(LitCell& cell) {
       }
     }
   }
+}
+
+bool is_precise(const CellPrecision& uncertain, const CellPrecision& wanted) {
+  return uncertain.area <= wanted.area && uncertain.distance <= wanted.distance;
+}
+
+bool is_lit(const LitCell& cell) {
+  return cell.shadows.empty() && std::ranges::any_of(cell.images, [](const ConvexPart& image) { return image.empty(); });
+}
+
+bool is_outside(const ImageTriangle& t, const PolygonOutline& outline) {
+  const auto [left, right] = std::minmax({t[0].x, t[1].x, t[2].x});
+  const auto [bottom, top] = std::minmax({t[0].y, t[1].y, t[2].y});
+  return outline.place_of({left, bottom}, std::max(right - left, top - bottom)) == SquarePlace::outside;
 }
 
 }  // namespace
@@ -244,50 +257,64 @@ Standing standing(const Condition& condition) {
   return condition.value.greatest() > condition.noise ? Standing::open : Standing::fails;
 }
 
-void LitCells::look_at(LitCell cell) {
-  number_lines(cell);
-  divide(std::move(cell));
-  const RegionBorder lit = border_of_cells(kept_, halved_);
-  border_.insert(border_.end(), lit.begin(), lit.end());
-  kept_.clear();
-  halved_.clear();
+CellsFound& CellsFound::operator+=(const CellsFound& more) {
+  lit_area += more.lit_area;
+  uncertain_area += more.uncertain_area;
+  distance = std::max(distance, more.distance);
+  largest_uncertain_area = std::max(largest_uncertain_area, more.largest_uncertain_area);
+  is_all_lit = is_all_lit && more.is_all_lit;
+  return *this;
 }
 
-void LitCells::divide(LitCell cell) {
-  if (is_outside(cell.corners)) return;
-  ++cell_count_;
+void LitCells::add(LitCell cell, const PolygonOutline& outline, const CellPrecision& precision) {
+  number_lines(cell, line_count_);
+  look_at(std::move(cell), outline, precision);
+}
+
+void LitCells::divide(const PolygonOutline& outline, const CellPrecision& precision) {
+  std::vector<LitCell> cells;
+  std::vector<Known> known;
+  cells.swap(cells_);
+  known.swap(known_);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (!is_precise(known[i].uncertain, precision) && divide(cells[i], outline, precision)) continue;
+    cells_.push_back(std::move(cells[i]));
+    known_.push_back(known[i]);
+  }
+}
+
+CellsFound LitCells::found() const {
+  CellsFound result;
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    const auto& [uncertain, lit_area, is_least] = known_[i];
+    result += {lit_area, uncertain.area, uncertain.distance, is_least ? 0 : uncertain.area, is_lit(cells_[i])};
+  }
+  result.is_all_lit = result.is_all_lit && !has_dark_;
+  return result;
+}
+
+// Returns false where it cannot.
+bool LitCells::divide(const LitCell& cell, const PolygonOutline& outline, const CellPrecision& precision) {
+  auto parts = halves(cell);
+  if (!parts) return false;
+  halved_.insert(side_between(cell.corners[0], cell.corners[1]));
+  for (LitCell& part : *parts) look_at(std::move(part), outline, precision);
+  return true;
+}
+
+void LitCells::look_at(LitCell cell, const PolygonOutline& outline, const CellPrecision& precision) {
+  if (is_outside(cell.corners, outline)) return;
+  ++count_;
   const bool may_be_lit = narrow(cell);
   const std::optional<CellMeasure> measure = may_be_lit ? std::optional<CellMeasure>(cell) : std::nullopt;
   if (!measure || measure->is_dark()) {
     has_dark_ = true;
     return;
   }
-  if (!is_precise(measure->uncertain())) {
-    if (auto parts = halves(cell)) {
-      if (wanted_ == CellResult::border) halved_.insert(side_between(cell.corners[0], cell.corners[1]));
-      for (LitCell& part : *parts) divide(std::move(part));
-      return;
-    }
-  }
-  keep(std::move(cell), measure->uncertain(), measure->lit_share());
-}
-
-bool LitCells::is_outside(const ImageTriangle& t) const {
-  const auto [left, right] = std::minmax({t[0].x, t[1].x, t[2].x});
-  const auto [bottom, top] = std::minmax({t[0].y, t[1].y, t[2].y});
-  return outline_.place_of({left, bottom}, std::max(right - left, top - bottom)) == SquarePlace::outside;
-}
-
-void LitCells::keep(LitCell cell, const CellPrecision& uncertain, double lit_share) {
-  shadow_count_ += cell.shadows.empty() ? 0 : 1;
-  uncertain_area_ += uncertain.area;
-  uncertain_count_ += uncertain.area > 0 ? 1 : 0;
-  distance_ = std::max(distance_, uncertain.distance);
-  estimated_area_ += lit_share * twice_area(cell.corners) / 2;
-  const bool is_lit =
-      cell.shadows.empty() && std::ranges::any_of(cell.images, [](const ConvexPart& image) { return image.empty(); });
-  has_dark_ = has_dark_ || !is_lit;
-  if (wanted_ == CellResult::border) kept_.push_back(std::move(cell));
+  if (!is_precise(measure->uncertain(), precision) && divide(cell, outline, precision)) return;
+  known_.push_back({measure->uncertain(), measure->lit_share() * twice_area(cell.corners) / 2,
+                    !middle(cell.corners[0], cell.corners[1])});
+  cells_.push_back(std::move(cell));
 }
 
 }  // namespace sightline::inline reflect

@@ -25,49 +25,47 @@ struct CellPrecision {
   double distance = 0;
 };
 
-// Whether borders are wanted, or only how much is lit, about, and how well that is known.
-enum class CellResult : std::uint8_t { measure, border };
+// What is known of cells together.
+struct CellsFound {
+  double lit_area = 0;  // about, and beyond the polygon, too
+  double uncertain_area = 0;
+  double distance = 0;
+  double largest_uncertain_area = 0;  // of a cell that can be divided
+  bool is_all_lit = true;
+
+  CellsFound& operator+=(const CellsFound& more);
+};
 
 class LitCells {
  public:
-  LitCells(const PolygonOutline& outline, const CellPrecision& precision, CellResult wanted)
-      : outline_(outline), precision_(precision), wanted_(wanted) {}
+  // Adds a cell, divided until its parts are precise.
+  void add(LitCell cell, const PolygonOutline& outline, const CellPrecision& precision);
+  // Divides those that are not as precise.
+  void divide(const PolygonOutline& outline, const CellPrecision& precision);
 
-  void look_at(LitCell cell);
-
-  [[nodiscard]] const RegionBorder& border() const { return border_; }
-  [[nodiscard]] bool is_all_lit() const { return !has_dark_; }
-  [[nodiscard]] double uncertain_area() const { return uncertain_area_; }
-  // About so much is lit; beyond the polygon, too.
-  [[nodiscard]] double estimated_area() const { return estimated_area_; }
-  // So many cells have uncertain parts.
-  [[nodiscard]] std::uint64_t uncertain_count() const { return uncertain_count_; }
-  [[nodiscard]] double distance() const { return distance_; }
-  [[nodiscard]] std::uint64_t cell_count() const { return cell_count_; }
-  // In so many of the cells that are not divided further there are shadows.
-  [[nodiscard]] std::uint64_t shadow_count() const { return shadow_count_; }
+  // Those that are not divided, and not dark.
+  [[nodiscard]] const std::vector<LitCell>& cells() const { return cells_; }
+  [[nodiscard]] CellsFound found() const;
+  [[nodiscard]] RegionBorder border() const { return border_of_cells(cells_, halved_); }
+  // So many cells were looked at.
+  [[nodiscard]] std::uint64_t count() const { return count_; }
 
  private:
-  [[nodiscard]] bool is_outside(const ImageTriangle& t) const;
-  [[nodiscard]] bool is_precise(const CellPrecision& uncertain) const {
-    return uncertain.area <= precision_.area && uncertain.distance <= precision_.distance;
-  }
-  void divide(LitCell cell);
-  void keep(LitCell cell, const CellPrecision& uncertain, double lit_share);
+  struct Known {
+    CellPrecision uncertain;
+    double lit_area = 0;
+    bool is_least = false;  // it cannot be divided
+  };
 
-  const PolygonOutline& outline_;
-  CellPrecision precision_;
-  CellResult wanted_;
-  std::vector<LitCell> kept_;
+  [[nodiscard]] bool divide(const LitCell& cell, const PolygonOutline& outline, const CellPrecision& precision);
+  void look_at(LitCell cell, const PolygonOutline& outline, const CellPrecision& precision);
+
+  std::vector<LitCell> cells_;
+  std::vector<Known> known_;  // parallel to the cells
   CellSides halved_;
-  RegionBorder border_;
   bool has_dark_ = false;
-  double uncertain_area_ = 0;
-  double estimated_area_ = 0;
-  std::uint64_t uncertain_count_ = 0;
-  double distance_ = 0;
-  std::uint64_t cell_count_ = 0;
-  std::uint64_t shadow_count_ = 0;
+  std::uint32_t line_count_ = 0;
+  std::uint64_t count_ = 0;
 };
 
 // Leaves out of the cell what holds everywhere, and parts that are nowhere. Returns false where nothing is lit for certain.
