@@ -19,15 +19,17 @@ struct Seam {
   std::uint32_t start = 0;
   std::uint32_t end = 0;
   friend constexpr auto operator<=>(const Seam&, const Seam&) = default;
-
-  [[nodiscard]] constexpr Seam from_beyond() const { return {object, from_front, end, start}; }
 };
 
 struct SeamedCondition {
   Condition condition;
   std::optional<Seam> seam;
-  std::uint32_t line = 0;  // conditions with the same number are zero at the same places
+  std::uint32_t line = 0;    // where they have the same one, conditions are zero at the same places
+  std::uint32_t number = 0;  // of the seam
 };
+
+// Returns the number of the seam as the facet beyond it has it.
+[[nodiscard]] constexpr std::uint32_t other_side(std::uint32_t seam) { return seam ^ 1U; }
 
 // All of the conditions hold there: those that are open; the others are settled.
 using ConvexPart = std::vector<SeamedCondition>;

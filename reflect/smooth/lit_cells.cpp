@@ -20,21 +20,6 @@ double diameter(const ImageTriangle& t) {
   return std::max({length(t[0], t[1]), length(t[1], t[2]), length(t[2], t[0])});
 }
 
-// Leaves out the conditions that hold. Returns false where one fails.
-bool narrow(ConvexPart& part) {
-  if (std::ranges::any_of(part, [](const auto& c) { return standing(c.condition) == Standing::fails; })) return false;
-  std::erase_if(part, [](const auto& c) { return standing(c.condition) == Standing::holds; });
-  return true;
-}
-
-// Returns false where nothing is lit for certain.
-bool narrow(LitCell& cell) {
-  std::erase_if(cell.images, [](ConvexPart& part) { return !narrow(part); });
-  if (cell.images.empty()) return false;
-  std::erase_if(cell.shadows, [](ConvexPart& part) { return !narrow(part); });
-  return std::ranges::none_of(cell.shadows, [](const ConvexPart& part) { return part.empty(); });
-}
-
 // How fast a linear function rises, per spacing.
 double slope(const ImageTriangle& t, const CornerValues& values) {
   const double second = values[1] - values[0];
@@ -139,7 +124,13 @@ class CellMeasure {
   struct Part {
     LinearConditions conditions;
     BarycentricPolygon outer;  // nothing beyond this is in the part
-    BarycentricPolygon inner;  // what the linear functions say
+
+    // What the linear functions say.
+    [[nodiscard]] BarycentricPolygon inner() const {
+      BarycentricPolygon result = outer;
+      for (const LinearCondition& c : conditions) result = part_above(result, c.values, 0);
+      return result;
+    }
   };
 
   // Returns the outer part of the last one.
@@ -149,9 +140,7 @@ class CellMeasure {
       LinearConditions conditions = linear(part);
       BarycentricPolygon outer = outer_part(polygon, conditions);
       if (!(share_of(outer) > 0)) return true;
-      BarycentricPolygon inner = outer;
-      for (const LinearCondition& c : conditions) inner = part_above(inner, c.values, 0);
-      measured.push_back({std::move(conditions), std::move(outer), std::move(inner)});
+      measured.push_back({std::move(conditions), std::move(outer)});
       return false;
     });
     return measured.empty() ? BarycentricPolygon{} : measured.back().outer;
@@ -159,23 +148,26 @@ class CellMeasure {
 
   // A seam of two parts is no border of both together.
   void add_borders(const std::vector<ConvexPart>& parts, const std::vector<Part>& measured) {
-    std::vector<Seam> seams;
-    for (const ConvexPart& part : parts) {
-      for (const SeamedCondition& c : part) {
-        if (c.seam) seams.push_back(*c.seam);
-      }
-    }
-    std::ranges::sort(seams);
+    const std::vector<std::uint32_t> seams = seams_of(parts);
     for (std::size_t i = 0; i < parts.size(); ++i) {
+      std::optional<BarycentricPolygon> inner;
       for (std::size_t k = 0; k < parts[i].size(); ++k) {
-        const auto& seam = parts[i][k].seam;
-        if (seam && std::ranges::binary_search(seams, seam->from_beyond())) continue;
-        const CellPrecision more =
-            uncertainty_along(corners_, measured[i].outer, measured[i].inner, measured[i].conditions[k]);
+        if (std::ranges::binary_search(seams, other_side(parts[i][k].number))) continue;
+        if (!inner) inner = measured[i].inner();
+        const CellPrecision more = uncertainty_along(corners_, measured[i].outer, *inner, measured[i].conditions[k]);
         uncertain_.area += more.area;
         uncertain_.distance = std::max(uncertain_.distance, more.distance);
       }
     }
+  }
+
+  [[nodiscard]] static std::vector<std::uint32_t> seams_of(const std::vector<ConvexPart>& parts) {
+    std::vector<std::uint32_t> seams;
+    for (const ConvexPart& part : parts) {
+      for (const SeamedCondition& c : part) seams.push_back(c.number);
+    }
+    std::ranges::sort(seams);
+    return seams;
   }
 
   const ImageTriangle& corners_;
@@ -185,40 +177,59 @@ class CellMeasure {
   CellPrecision uncertain_;
 };
 
-std::array<ConvexPart, 2> halves(const ConvexPart& part) {
-  std::array<ConvexPart, 2> result;
+// Returns the conditions that are open in the halves of a cell; nothing where one fails.
+std::array<std::optional<ConvexPart>, 2> halves(const ConvexPart& part) {
+  std::array<std::optional<ConvexPart>, 2> result{ConvexPart{}, ConvexPart{}};
   for (const SeamedCondition& c : part) {
+    if (!result[0] && !result[1]) break;
     const std::array<Quartic, 2> values = c.condition.value.halves();
-    for (std::size_t i = 0; i < 2; ++i) result[i].push_back({{values[i], c.condition.noise}, c.seam, c.line});
+    for (std::size_t i = 0; i < 2; ++i) {
+      const Condition half{values[i], c.condition.noise};
+      const Standing at = standing(half);
+      if (at == Standing::fails) result[i].reset();
+      if (at == Standing::open && result[i]) result[i]->push_back({half, c.seam, c.line, c.number});
+    }
   }
   return result;
 }
 
+// Shadows are halved where something may be lit.
 std::optional<std::array<LitCell, 2>> halves(const LitCell& cell) {
   const auto& [a, b, c] = cell.corners;
   const std::optional<ImagePoint> m = middle(a, b);
   if (!m) return std::nullopt;
   std::array<LitCell, 2> result{LitCell{{c, a, *m}, {}, {}}, LitCell{{b, c, *m}, {}, {}}};
   for (const auto parts : {&LitCell::images, &LitCell::shadows}) {
+    if (parts == &LitCell::shadows && result[0].images.empty() && result[1].images.empty()) break;
     for (const ConvexPart& part : cell.*parts) {
-      auto [first, second] = halves(part);
-      (result[0].*parts).push_back(std::move(first));
-      (result[1].*parts).push_back(std::move(second));
+      std::array<std::optional<ConvexPart>, 2> found = halves(part);
+      for (std::size_t i = 0; i < 2; ++i) {
+        if (found[i]) (result[i].*parts).push_back(std::move(*found[i]));
+      }
     }
   }
   return result;
 }
 
-// Facets that share an edge have the same line there, on whichever side they are of it.
-void number_lines(LitCell& cell, std::uint32_t& count) {
+bool may_be_lit(const LitCell& cell) {
+  return !cell.images.empty() && std::ranges::none_of(cell.shadows, [](const ConvexPart& part) { return part.empty(); });
+}
+
+// Facets that share an edge have the same line there, on whichever side of them rays meet them.
+void number(LitCell& cell, std::uint32_t& count) {
+  std::map<Seam, std::uint32_t> lines;
   std::map<Seam, std::uint32_t> seams;
   for (std::vector<ConvexPart>* parts : {&cell.images, &cell.shadows}) {
     for (ConvexPart& part : *parts) {
       for (SeamedCondition& c : part) {
-        c.line = count++;
+        c.line = c.number = count;
+        count += 2;
         if (!c.seam) continue;
-        const auto [start, end] = std::minmax(c.seam->start, c.seam->end);
-        c.line = seams.try_emplace(Seam{c.seam->object, true, start, end}, c.line).first->second;
+        const Seam& seam = *c.seam;
+        const auto [start, end] = std::minmax(seam.start, seam.end);
+        c.line = lines.try_emplace({seam.object, true, start, end}, c.line).first->second;
+        c.number = seams.try_emplace({seam.object, seam.from_front, start, end}, c.number).first->second;
+        if (seam.start != start) c.number = other_side(c.number);
       }
     }
   }
@@ -240,7 +251,7 @@ bool is_outside(const ImageTriangle& t, const PolygonOutline& outline) {
 
 }  // namespace
 
-bool narrow_to_lit(LitCell& cell) { return narrow(cell) && !CellMeasure(cell).is_dark(); }
+bool narrow_to_lit(LitCell& cell) { return may_be_lit(cell) && !CellMeasure(cell).is_dark(); }
 
 bool is_lit_at(const LitCell& cell, const Point2& place) {
   const Barycentric at = barycentric(cell.corners, place);
@@ -267,7 +278,7 @@ CellsFound& CellsFound::operator+=(const CellsFound& more) {
 }
 
 void LitCells::add(LitCell cell, const PolygonOutline& outline, const CellPrecision& precision) {
-  number_lines(cell, line_count_);
+  number(cell, number_count_);
   look_at(std::move(cell), outline, precision);
 }
 
@@ -305,8 +316,7 @@ bool LitCells::divide(const LitCell& cell, const PolygonOutline& outline, const 
 void LitCells::look_at(LitCell cell, const PolygonOutline& outline, const CellPrecision& precision) {
   if (is_outside(cell.corners, outline)) return;
   ++count_;
-  const bool may_be_lit = narrow(cell);
-  const std::optional<CellMeasure> measure = may_be_lit ? std::optional<CellMeasure>(cell) : std::nullopt;
+  const std::optional<CellMeasure> measure = may_be_lit(cell) ? std::optional<CellMeasure>(cell) : std::nullopt;
   if (!measure || measure->is_dark()) {
     has_dark_ = true;
     return;

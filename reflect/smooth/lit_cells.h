@@ -64,11 +64,11 @@ class LitCells {
   std::vector<Known> known_;  // parallel to the cells
   CellSides halved_;
   bool has_dark_ = false;
-  std::uint32_t line_count_ = 0;
+  std::uint32_t number_count_ = 0;
   std::uint64_t count_ = 0;
 };
 
-// Leaves out of the cell what holds everywhere, and parts that are nowhere. Returns false where nothing is lit for certain.
+// Leaves out of the cell the parts that are nowhere. Returns false where nothing is lit for certain.
 [[nodiscard]] bool narrow_to_lit(LitCell& cell);
 
 // Returns whether a place of the cell is lit for certain.
