@@ -61,8 +61,7 @@ std::optional<FacetCorner> common_corner(const SeamedCondition& a, const SeamedC
 Barycentric common_zero(const Condition& a, const Condition& b, Barycentric at) {
   const CornerValues of_a = a.value.corners();
   const CornerValues of_b = b.value.corners();
-  const double determinant =
-      (of_a[1] - of_a[0]) * (of_b[2] - of_b[0]) - (of_a[2] - of_a[0]) * (of_b[1] - of_b[0]);
+  const double determinant = (of_a[1] - of_a[0]) * (of_b[2] - of_b[0]) - (of_a[2] - of_a[0]) * (of_b[1] - of_b[0]);
   for (int step = 0; step < 3; ++step) {
     const double at_a = a.value.at(at);
     const double at_b = b.value.at(at);
@@ -120,7 +119,8 @@ class CellParts {
                                     const SeamedCondition& b) {
     auto known = std::ranges::find(vertices_, corner, &Vertex::corner);
     if (known == vertices_.end()) {
-      vertices_.push_back({corner, inside(common_zero(a.condition, b.condition, barycentric_of(crossing))).value_or(crossing)});
+      vertices_.push_back(
+          {corner, inside(common_zero(a.condition, b.condition, barycentric_of(crossing))).value_or(crossing)});
       known = std::prev(vertices_.end());
     }
     return may_be_at(known->place, a) && may_be_at(known->place, b) ? known->place : crossing;

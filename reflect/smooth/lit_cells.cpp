@@ -212,7 +212,8 @@ std::optional<std::array<LitCell, 2>> halves(const LitCell& cell) {
 }
 
 bool may_be_lit(const LitCell& cell) {
-  return !cell.images.empty() && std::ranges::none_of(cell.shadows, [](const ConvexPart& part) { return part.empty(); });
+  return !cell.images.empty() &&
+         std::ranges::none_of(cell.shadows, [](const ConvexPart& part) { return part.empty(); });
 }
 
 // Facets that share an edge have the same line there, on whichever side of them rays meet them.
@@ -240,7 +241,8 @@ bool is_precise(const CellPrecision& uncertain, const CellPrecision& wanted) {
 }
 
 bool is_lit(const LitCell& cell) {
-  return cell.shadows.empty() && std::ranges::any_of(cell.images, [](const ConvexPart& image) { return image.empty(); });
+  return cell.shadows.empty() &&
+         std::ranges::any_of(cell.images, [](const ConvexPart& image) { return image.empty(); });
 }
 
 bool is_outside(const ImageTriangle& t, const PolygonOutline& outline) {

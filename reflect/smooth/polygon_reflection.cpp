@@ -71,9 +71,8 @@ bool PolygonReflection::is_dark() const {
 }
 
 bool PolygonReflection::is_whole() const {
-  return std::ranges::any_of(patches_, [](const PatchCells& patch) {
-    return patch.may_be_whole && patch.cells.found().is_all_lit;
-  });
+  return std::ranges::any_of(
+      patches_, [](const PatchCells& patch) { return patch.may_be_whole && patch.cells.found().is_all_lit; });
 }
 
 double PolygonReflection::largest_uncertain_area() const {
@@ -122,8 +121,8 @@ std::uint64_t PolygonReflection::cell_count() const {
 std::uint64_t PolygonReflection::shadowed_count() const {
   std::uint64_t count = 0;
   for (const PatchCells& patch : patches_)
-    count += static_cast<std::uint64_t>(std::ranges::count_if(
-        patch.cells.cells(), [](const LitCell& cell) { return !cell.shadows.empty(); }));
+    count += static_cast<std::uint64_t>(
+        std::ranges::count_if(patch.cells.cells(), [](const LitCell& cell) { return !cell.shadows.empty(); }));
   return count;
 }
 

@@ -143,10 +143,12 @@ std::vector<ConvexPart> SmoothMirror::shadows(const BentMirror& mirror, const Ra
     return beam.may_reach(scaled) && to_panel.may_reach(scaled);
   };
   std::vector<ConvexPart> result;
+  const bool fronts_suffice = is_closed_before(panel.panel);
   const auto add = [&](const CutMesh& mesh, std::size_t object, UncutFacetId facet) {
     if (!is_in_the_way(mesh, facet, panel)) return;
     ++statistics.obstacles;
     for (const bool from_front : {true, false}) {
+      if (!from_front && fronts_suffice && &mesh == world_.surface.get()) continue;
       const FacetSide side = facet_side(world_, mesh, facet, object, from_front);
       Collector collector;
       if (add_meeting(mirror, mesh, side, collector) && collector.add(mirror.meets_before(side.plane, emitting.plane)))
@@ -164,6 +166,12 @@ std::vector<ConvexPart> SmoothMirror::shadows(const BentMirror& mirror, const Ra
     add_images(mirror, {p, false}, result);
   }
   return result;
+}
+
+// Both the eye and the panel are outside of a closed surface.
+bool SmoothMirror::is_closed_before(std::size_t panel) const {
+  if (!world_.closed || overlap(*world_.closed, world_.panel_boxes[panel])) return false;
+  return scene_.camera.projection == Projection::orthographic || !contains(*world_.closed, scene_.camera.eye.xyz);
 }
 
 // Some corner is above the mirror's plane, and some, perhaps another, before the panel's emitting side.

@@ -43,6 +43,7 @@ class SmoothMirror {
   void add_images(const BentMirror& mirror, const PanelSide& side, std::vector<ConvexPart>& images) const;
   [[nodiscard]] std::vector<ConvexPart> shadows(const BentMirror& mirror, const RayBeam& beam, const PanelSide& panel,
                                                 ReflectionStatistics& statistics) const;
+  [[nodiscard]] bool is_closed_before(std::size_t panel) const;
   [[nodiscard]] bool is_in_the_way(const CutMesh& mesh, UncutFacetId facet, const PanelSide& side) const;
 
   const MirrorWorld& world_;

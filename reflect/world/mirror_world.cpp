@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "reflect/world/closed_surface.h"
 #include "reflect/world/uncut_facets.h"
 
 namespace sightline::inline reflect {
@@ -50,12 +51,13 @@ std::vector<std::size_t> earlier_ones_in_plane(const MirrorWorld& world) {
 
 MirrorWorld make_mirror_world(std::shared_ptr<const CutMesh> surface, std::vector<Panel> panels,
                               const ReflectionOptions& options, const std::vector<Vector3>& given_normals) {
-  MirrorWorld world{std::move(surface), std::move(panels), options, {}, {}, {}, {}, {}, 1, {}};
+  MirrorWorld world{std::move(surface), std::move(panels), options, {}, {}, {}, {}, {}, 1, {}, {}};
   if (world.panels.empty()) return world;
   world.obstacles = Obstacles(*world.surface);
   world.scale = unit_scale(world.surface->vertices);
   if (options.needs_vertex_normals())
     world.normals = vertex_normals(*world.surface, given_normals, options.normal_options());
+  if (options.mode == ReflectionMode::smooth) world.closed = box_of_closed(*world.surface);
   for (const Panel& panel : world.panels) {
     const CutMesh& mesh = world.panel_meshes.emplace_back(uncrossed(panel_mesh(panel)));
     world.panel_planes.push_back(plane_through(plane_points(mesh, FacetId(0))));
