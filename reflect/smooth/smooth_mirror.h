@@ -5,7 +5,8 @@
 //      that the mesh stands for. A flat mirror's is that of mirror.h, but for rounding. With it comes how much of it may be
 //      wrong: a bound, as all that is approximate has one (lit_cells.h). Where no ray is known to meet the panel, nothing is lit.
 // Method: what a mirrored ray meets is told by signs of polynomials (bent_mirror.h). A ray starts on the flat face, and what does
-//      not rise from it is blocked by it; so what has no corner above the face's plane, exactly, is in no ray's way.
+//      not rise from it is blocked by it; so what has no corner above the face's plane, exactly, is in no ray's way. Where the surface is
+//      closed only fronts are (closed_surface.h).
 // Floating point with bounds, but for putting the parts together, which is exact (overlay.h): whatever the rounding, the borders
 // are those of a part of the polygon.
 // Complexity: O(1) per panel and obstacle in the way of the surface's rays, then that of lit_cells.h.

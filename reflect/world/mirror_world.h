@@ -45,7 +45,7 @@ struct MirrorWorld {
   Obstacles obstacles;
   double scale = 1;              // unit_scale of the surface's vertices
   std::vector<Vector3> normals;  // where the options need them: vertex_normals(surface)
-  std::optional<Box> closed;     // a box around the surface, where mirrors are smooth and it is closed (closed_surface.h)
+  std::optional<Box> closed;  // a box around the surface, where mirrors are smooth and it is closed (closed_surface.h)
 };
 
 // `given_normals` are as for vertex_normals. Errors: PanelError.
