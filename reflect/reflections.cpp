@@ -21,7 +21,7 @@ struct ReflectingBorders {
   RegionBorder segments;
   std::vector<Owner> owners;  // parallel to the segments
   ReflectionStatistics statistics;
-  std::vector<SmoothMirror::Reflecting> smooth;  // per panel, where mirrors are smooth
+  std::vector<Reflecting> smooth;  // per panel, where mirrors are smooth
 
   // `found` has a border per panel.
   void add(FacetId surface, std::vector<RegionBorder> found) {
@@ -64,7 +64,7 @@ class ReflectionSearch {
     SmoothReflections smooth = find_smooth_reflections(world_, scene_, polygons, found_.statistics);
     for (std::size_t p = 0; p < polygons.size(); ++p) {
       std::vector<RegionBorder> borders;
-      for (SmoothMirror::Reflecting& found : smooth.found[p]) borders.push_back(std::move(found.border));
+      for (Reflecting& found : smooth.found[p]) borders.push_back(std::move(found.border));
       found_.add(polygons[p].surface, std::move(borders));
     }
     found_.smooth = std::move(smooth.together);

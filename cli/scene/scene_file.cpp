@@ -118,7 +118,7 @@ std::vector<Panel> read_panels(const toml::table& root, const std::string& path)
 }
 
 // Nothing where there is no such table.
-std::optional<TomlReader> optional_table(const toml::table& root, const std::string& path, const std::string& name) {
+std::optional<TomlReader> table_called(const toml::table& root, const std::string& path, const std::string& name) {
   const toml::node* node = root.get(name);
   if (node == nullptr) return std::nullopt;
   const std::size_t line = node->source().begin.line;
@@ -128,8 +128,8 @@ std::optional<TomlReader> optional_table(const toml::table& root, const std::str
 
 ReflectionOptions read_reflection(const toml::table& root, const std::string& path) {
   ReflectionOptions options;
-  if (const auto table = optional_table(root, path, "reflection")) options = read_reflection(*table);
-  if (const auto table = optional_table(root, path, "coincidence")) read_coincidence(*table, options);
+  if (const auto table = table_called(root, path, "reflection")) options = read_reflection(*table);
+  if (const auto table = table_called(root, path, "coincidence")) read_coincidence(*table, options);
   return options;
 }
 

@@ -16,7 +16,7 @@
 // node in two places; sparse accessors; a coordinate that is not finite; more than the limit on memory allows.
 //
 // Complexity: O(bytes + triangles), and build_mesh.
-// Why not Assimp: its maps are floats. Version 5.2.5, Debian's, follows nodes that contain themselves without end, and
+// Why not Assimp: its maps are floats. Version 5.2.5, Debian's,
 // ends with memory freed twice after a clean public 3MF file. JSON is read by nlohmann's library, which the command has
 // anyway; that is why this is a part of the command, not of the library.
 #pragma once

@@ -120,9 +120,14 @@ std::vector<ImagePolygon> Mirror::shadows(const WindowPart& part, std::size_t pa
   return shadows;
 }
 
-// Certified numbers decide nearly always.
+// Most facets in a pyramid are the mirror's neighbours, and no corner of theirs is in front of it. Of the others certified numbers decide
+// nearly always.
 ImagePolygon Mirror::shadow(const CutMesh& mesh, UncutFacetId obstacle, const PanelImage& image) {
   const std::vector<Point3> corners = corners_of(mesh, obstacle);
+  if (std::ranges::none_of(corners, [&](const Point3& corner) {
+        return orient3d(forms_.plane[0], forms_.plane[1], forms_.plane[2], corner) > 0;
+      }))
+    return {};
   if (image.towards_centre_form.is_positive_at(corners)) {
     if (auto certain = certain_image(forms_, scene_.camera, corners, scene_.grid_bits)) return *std::move(certain);
   }

@@ -22,13 +22,15 @@ Int128 twice_area(const ImagePolygon& polygon) {
 void add_border(RegionBorder& border, ImagePolygon polygon) {
   if (twice_area(polygon) < 0) std::ranges::reverse(polygon);
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const ImagePoint& p = polygon[i];
-    const ImagePoint& q = polygon[i + 1 == polygon.size() ? 0 : i + 1];
-    border.push_back({grid_place(p), grid_place(q), line_between(p, q)});
+    border.push_back(border_segment(polygon[i], polygon[i + 1 == polygon.size() ? 0 : i + 1]));
   }
 }
 
 }  // namespace
+
+BorderSegment border_segment(const ImagePoint& start, const ImagePoint& end) {
+  return {grid_place(start), grid_place(end), line_between(start, end)};
+}
 
 BorderSegment border_segment(const ImagePoints& image, const VisibleSegment& segment) {
   return {image_place(image, segment.start), image_place(image, segment.end), image_line(image, segment.edge)};

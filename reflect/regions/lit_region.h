@@ -21,6 +21,8 @@ namespace sightline::inline reflect {
 [[nodiscard]] RegionBorder lit_region(const std::vector<ImagePolygon>& panel, const std::vector<ImagePolygon>& shadows,
                                       int grid_bits);
 
+[[nodiscard]] BorderSegment border_segment(const ImagePoint& start, const ImagePoint& end);
+
 // The image outlives what is made of it where it is not rounded (image_place.h).
 [[nodiscard]] BorderSegment border_segment(const ImagePoints& image, const VisibleSegment& segment);
 

@@ -104,7 +104,15 @@ std::vector<Divided> divided(const RegionBorder& border) {
   return result;
 }
 
+// Places are off by less than a spacing.
+bool is_beside(const BorderSegment& s, const BorderSegment& t) {
+  const auto left = [](const BorderSegment& b) { return std::min(b.start.at.x, b.end.at.x); };
+  const auto right = [](const BorderSegment& b) { return std::max(b.start.at.x, b.end.at.x); };
+  return right(s) + 2 < left(t) || right(t) + 2 < left(s) || high_of(s) < low_of(t) || high_of(t) < low_of(s);
+}
+
 void divide(Divided& s, Divided& t) {
+  if (is_beside(s.segment, t.segment)) return;
   if (before(lower(s.segment), upper(t.segment)) || before(lower(t.segment), upper(s.segment))) return;
   const Sign s_start = side(t.segment.line, s.segment.start);
   const Sign s_end = side(t.segment.line, s.segment.end);

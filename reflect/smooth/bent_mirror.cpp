@@ -161,7 +161,7 @@ std::vector<PlaneForm> BentMirror::sides_along(const std::vector<Vector3>& direc
                                                const std::array<Point3, 3>& starts) const {
   std::vector<PlaneForm> sides{{-towards_eye_, -towards_eye_.dot(starts[0])}};
   Vector3 mean = Vector3::Zero();
-  for (const Vector3& d : directions) mean += unit(d);
+  for (const Vector3& d : directions) mean += d / d.norm();
   mean = unit(mean);
   const Vector3 beside = unit(mean.cross(std::fabs(mean.x()) < 0.5 ? Vector3(1, 0, 0) : Vector3(0, 1, 0)));
   const Vector3 across = mean.cross(beside);

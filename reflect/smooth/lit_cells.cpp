@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <map>
 
 namespace sightline::inline reflect {
 namespace {
@@ -19,21 +20,6 @@ double diameter(const ImageTriangle& t) {
   return std::max({length(t[0], t[1]), length(t[1], t[2]), length(t[2], t[0])});
 }
 
-// Leaves out the conditions that hold. Returns false where one fails.
-bool narrow(ConvexPart& part) {
-  if (std::ranges::any_of(part, [](const auto& c) { return standing(c.condition) == Standing::fails; })) return false;
-  std::erase_if(part, [](const auto& c) { return standing(c.condition) == Standing::holds; });
-  return true;
-}
-
-// Returns false where nothing is lit for certain.
-bool narrow(LitCell& cell) {
-  std::erase_if(cell.images, [](ConvexPart& part) { return !narrow(part); });
-  if (cell.images.empty()) return false;
-  std::erase_if(cell.shadows, [](ConvexPart& part) { return !narrow(part); });
-  return std::ranges::none_of(cell.shadows, [](const ConvexPart& part) { return part.empty(); });
-}
-
 // How fast a linear function rises, per spacing.
 double slope(const ImageTriangle& t, const CornerValues& values) {
   const double second = values[1] - values[0];
@@ -43,30 +29,24 @@ double slope(const ImageTriangle& t, const CornerValues& values) {
   return std::hypot(second * dy(2) - third * dy(1), third * dx(1) - second * dx(2)) / twice_area(t);
 }
 
-// A part of a cell as linear functions have it, and how far each may be from what it stands for.
-struct LinearCondition {
-  CornerValues values;
-  double reach = 0;
-};
 using LinearConditions = boost::container::small_vector<LinearCondition, 8>;
 
 LinearConditions linear(const ConvexPart& part) {
   LinearConditions result;
-  for (const SeamedCondition& c : part)
-    result.push_back({c.condition.value.corners(), c.condition.value.departure() + c.condition.noise});
+  for (const SeamedCondition& c : part) result.push_back(linear(c.condition));
   return result;
 }
 
 // Nothing beyond this is in the part.
 BarycentricPolygon outer_part(BarycentricPolygon polygon, const LinearConditions& conditions) {
-  for (const LinearCondition& c : conditions) polygon = part_above(polygon, c.values, -c.reach);
+  for (const LinearCondition& c : conditions) polygon = part_above(polygon, c.values, -c.above);
   return polygon;
 }
 
 // All of the polygon is in the part.
 bool covers(const LinearConditions& conditions, const BarycentricPolygon& polygon) {
   return std::ranges::all_of(conditions, [&](const LinearCondition& c) {
-    return std::ranges::all_of(polygon, [&](const Barycentric& p) { return value_at(c.values, p) > c.reach; });
+    return std::ranges::all_of(polygon, [&](const Barycentric& p) { return value_at(c.values, p) > c.below; });
   });
 }
 
@@ -105,10 +85,10 @@ double farthest_from(const ImageTriangle& t, const BarycentricPolygon& polygon, 
 // some corner.
 CellPrecision uncertainty_along(const ImageTriangle& corners, const BarycentricPolygon& outer,
                                 const BarycentricPolygon& inner, const LinearCondition& c) {
-  const BarycentricPolygon strip = part_above(outer, negative(c.values), -c.reach);
+  const BarycentricPolygon strip = part_above(outer, negative(c.values), -c.below);
   const double share = share_of(strip);
   if (!(share > 0)) return {};
-  const double width = c.reach / slope(corners, c.values);
+  const double width = (c.below + c.above) / slope(corners, c.values);
   const double outside = farthest_from(corners, part_above(strip, negative(c.values), 0), inner);
   return {share * twice_area(corners) / 2, std::min(diameter(corners), std::max(width, outside))};
 }
@@ -144,7 +124,13 @@ class CellMeasure {
   struct Part {
     LinearConditions conditions;
     BarycentricPolygon outer;  // nothing beyond this is in the part
-    BarycentricPolygon inner;  // what the linear functions say
+
+    // What the linear functions say.
+    [[nodiscard]] BarycentricPolygon inner() const {
+      BarycentricPolygon result = outer;
+      for (const LinearCondition& c : conditions) result = part_above(result, c.values, 0);
+      return result;
+    }
   };
 
   // Returns the outer part of the last one.
@@ -154,9 +140,7 @@ class CellMeasure {
       LinearConditions conditions = linear(part);
       BarycentricPolygon outer = outer_part(polygon, conditions);
       if (!(share_of(outer) > 0)) return true;
-      BarycentricPolygon inner = outer;
-      for (const LinearCondition& c : conditions) inner = part_above(inner, c.values, 0);
-      measured.push_back({std::move(conditions), std::move(outer), std::move(inner)});
+      measured.push_back({std::move(conditions), std::move(outer)});
       return false;
     });
     return measured.empty() ? BarycentricPolygon{} : measured.back().outer;
@@ -164,23 +148,26 @@ class CellMeasure {
 
   // A seam of two parts is no border of both together.
   void add_borders(const std::vector<ConvexPart>& parts, const std::vector<Part>& measured) {
-    std::vector<Seam> seams;
-    for (const ConvexPart& part : parts) {
-      for (const SeamedCondition& c : part) {
-        if (c.seam) seams.push_back(*c.seam);
-      }
-    }
-    std::ranges::sort(seams);
+    const std::vector<std::uint32_t> seams = seams_of(parts);
     for (std::size_t i = 0; i < parts.size(); ++i) {
+      std::optional<BarycentricPolygon> inner;
       for (std::size_t k = 0; k < parts[i].size(); ++k) {
-        const auto& seam = parts[i][k].seam;
-        if (seam && std::ranges::binary_search(seams, seam->from_beyond())) continue;
-        const CellPrecision more =
-            uncertainty_along(corners_, measured[i].outer, measured[i].inner, measured[i].conditions[k]);
+        if (std::ranges::binary_search(seams, other_side(parts[i][k].number))) continue;
+        if (!inner) inner = measured[i].inner();
+        const CellPrecision more = uncertainty_along(corners_, measured[i].outer, *inner, measured[i].conditions[k]);
         uncertain_.area += more.area;
         uncertain_.distance = std::max(uncertain_.distance, more.distance);
       }
     }
+  }
+
+  [[nodiscard]] static std::vector<std::uint32_t> seams_of(const std::vector<ConvexPart>& parts) {
+    std::vector<std::uint32_t> seams;
+    for (const ConvexPart& part : parts) {
+      for (const SeamedCondition& c : part) seams.push_back(c.number);
+    }
+    std::ranges::sort(seams);
+    return seams;
   }
 
   const ImageTriangle& corners_;
@@ -190,44 +177,83 @@ class CellMeasure {
   CellPrecision uncertain_;
 };
 
-std::optional<ImagePoint> middle(const ImagePoint& p, const ImagePoint& q) {
-  const std::int64_t x = p.x + q.x;
-  const std::int64_t y = p.y + q.y;
-  if (x % 2 != 0 || y % 2 != 0) return std::nullopt;
-  return ImagePoint{x / 2, y / 2};
-}
-
-std::array<ConvexPart, 2> halves(const ConvexPart& part) {
-  std::array<ConvexPart, 2> result;
+// Returns the conditions that are open in the halves of a cell; nothing where one fails.
+std::array<std::optional<ConvexPart>, 2> halves(const ConvexPart& part) {
+  std::array<std::optional<ConvexPart>, 2> result{ConvexPart{}, ConvexPart{}};
   for (const SeamedCondition& c : part) {
+    if (!result[0] && !result[1]) break;
     const std::array<Quartic, 2> values = c.condition.value.halves();
-    for (std::size_t i = 0; i < 2; ++i) result[i].push_back({{values[i], c.condition.noise}, c.seam});
+    for (std::size_t i = 0; i < 2; ++i) {
+      const Condition half{values[i], c.condition.noise};
+      const Standing at = standing(half);
+      if (at == Standing::fails) result[i].reset();
+      if (at == Standing::open && result[i]) result[i]->push_back({half, c.seam, c.line, c.number});
+    }
   }
   return result;
 }
 
+// Shadows are halved where something may be lit.
 std::optional<std::array<LitCell, 2>> halves(const LitCell& cell) {
   const auto& [a, b, c] = cell.corners;
   const std::optional<ImagePoint> m = middle(a, b);
   if (!m) return std::nullopt;
   std::array<LitCell, 2> result{LitCell{{c, a, *m}, {}, {}}, LitCell{{b, c, *m}, {}, {}}};
   for (const auto parts : {&LitCell::images, &LitCell::shadows}) {
+    if (parts == &LitCell::shadows && result[0].images.empty() && result[1].images.empty()) break;
     for (const ConvexPart& part : cell.*parts) {
-      auto [first, second] = halves(part);
-      (result[0].*parts).push_back(std::move(first));
-      (result[1].*parts).push_back(std::move(second));
+      std::array<std::optional<ConvexPart>, 2> found = halves(part);
+      for (std::size_t i = 0; i < 2; ++i) {
+        if (found[i]) (result[i].*parts).push_back(std::move(*found[i]));
+      }
     }
   }
   return result;
 }
 
-std::vector<CornerValues> corner_values(const ConvexPart& part) {
-  std::vector<CornerValues> values;
-  for (const SeamedCondition& c : part) values.push_back(c.condition.value.corners());
-  return values;
+bool may_be_lit(const LitCell& cell) {
+  return !cell.images.empty() &&
+         std::ranges::none_of(cell.shadows, [](const ConvexPart& part) { return part.empty(); });
+}
+
+// Facets that share an edge have the same line there, on whichever side of them rays meet them.
+void number(LitCell& cell, std::uint32_t& count) {
+  std::map<Seam, std::uint32_t> lines;
+  std::map<Seam, std::uint32_t> seams;
+  for (std::vector<ConvexPart>* parts : {&cell.images, &cell.shadows}) {
+    for (ConvexPart& part : *parts) {
+      for (SeamedCondition& c : part) {
+        c.line = c.number = count;
+        count += 2;
+        if (!c.seam) continue;
+        const Seam& seam = *c.seam;
+        const auto [start, end] = std::minmax(seam.start, seam.end);
+        c.line = lines.try_emplace({seam.object, true, start, end}, c.line).first->second;
+        c.number = seams.try_emplace({seam.object, seam.from_front, start, end}, c.number).first->second;
+        if (seam.start != start) c.number = other_side(c.number);
+      }
+    }
+  }
+}
+
+bool is_precise(const CellPrecision& uncertain, const CellPrecision& wanted) {
+  return uncertain.area <= wanted.area && uncertain.distance <= wanted.distance;
+}
+
+bool is_lit(const LitCell& cell) {
+  return cell.shadows.empty() &&
+         std::ranges::any_of(cell.images, [](const ConvexPart& image) { return image.empty(); });
+}
+
+bool is_outside(const ImageTriangle& t, const PolygonOutline& outline) {
+  const auto [left, right] = std::minmax({t[0].x, t[1].x, t[2].x});
+  const auto [bottom, top] = std::minmax({t[0].y, t[1].y, t[2].y});
+  return outline.place_of({left, bottom}, std::max(right - left, top - bottom)) == SquarePlace::outside;
 }
 
 }  // namespace
+
+bool narrow_to_lit(LitCell& cell) { return may_be_lit(cell) && !CellMeasure(cell).is_dark(); }
 
 bool is_lit_at(const LitCell& cell, const Point2& place) {
   const Barycentric at = barycentric(cell.corners, place);
@@ -244,63 +270,63 @@ Standing standing(const Condition& condition) {
   return condition.value.greatest() > condition.noise ? Standing::open : Standing::fails;
 }
 
-void LitCells::look_at(LitCell cell) {
-  if (is_outside(cell.corners)) return;
-  ++cell_count_;
-  const bool may_be_lit = narrow(cell);
-  const std::optional<CellMeasure> measure = may_be_lit ? std::optional<CellMeasure>(cell) : std::nullopt;
+CellsFound& CellsFound::operator+=(const CellsFound& more) {
+  lit_area += more.lit_area;
+  uncertain_area += more.uncertain_area;
+  distance = std::max(distance, more.distance);
+  largest_uncertain_area = std::max(largest_uncertain_area, more.largest_uncertain_area);
+  is_all_lit = is_all_lit && more.is_all_lit;
+  return *this;
+}
+
+void LitCells::add(LitCell cell, const PolygonOutline& outline, const CellPrecision& precision) {
+  number(cell, number_count_);
+  look_at(std::move(cell), outline, precision);
+}
+
+void LitCells::divide(const PolygonOutline& outline, const CellPrecision& precision) {
+  std::vector<LitCell> cells;
+  std::vector<Known> known;
+  cells.swap(cells_);
+  known.swap(known_);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (!is_precise(known[i].uncertain, precision) && divide(cells[i], outline, precision)) continue;
+    cells_.push_back(std::move(cells[i]));
+    known_.push_back(known[i]);
+  }
+}
+
+CellsFound LitCells::found() const {
+  CellsFound result;
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    const auto& [uncertain, lit_area, is_least] = known_[i];
+    result += {lit_area, uncertain.area, uncertain.distance, is_least ? 0 : uncertain.area, is_lit(cells_[i])};
+  }
+  result.is_all_lit = result.is_all_lit && !has_dark_;
+  return result;
+}
+
+// Returns false where it cannot.
+bool LitCells::divide(const LitCell& cell, const PolygonOutline& outline, const CellPrecision& precision) {
+  auto parts = halves(cell);
+  if (!parts) return false;
+  halved_.insert(side_between(cell.corners[0], cell.corners[1]));
+  for (LitCell& part : *parts) look_at(std::move(part), outline, precision);
+  return true;
+}
+
+void LitCells::look_at(LitCell cell, const PolygonOutline& outline, const CellPrecision& precision) {
+  if (is_outside(cell.corners, outline)) return;
+  ++count_;
+  const std::optional<CellMeasure> measure = may_be_lit(cell) ? std::optional<CellMeasure>(cell) : std::nullopt;
   if (!measure || measure->is_dark()) {
     has_dark_ = true;
     return;
   }
-  if (!is_precise(measure->uncertain())) {
-    if (auto parts = halves(cell)) {
-      for (LitCell& part : *parts) look_at(std::move(part));
-      return;
-    }
-  }
-  keep(cell, measure->uncertain(), measure->lit_share());
-}
-
-bool LitCells::is_outside(const ImageTriangle& t) const {
-  const auto [left, right] = std::minmax({t[0].x, t[1].x, t[2].x});
-  const auto [bottom, top] = std::minmax({t[0].y, t[1].y, t[2].y});
-  return outline_.place_of({left, bottom}, std::max(right - left, top - bottom)) == SquarePlace::outside;
-}
-
-void LitCells::keep(const LitCell& cell, const CellPrecision& uncertain, double lit_share) {
-  shadow_count_ += cell.shadows.empty() ? 0 : 1;
-  uncertain_area_ += uncertain.area;
-  uncertain_count_ += uncertain.area > 0 ? 1 : 0;
-  distance_ = std::max(distance_, uncertain.distance);
-  estimated_area_ += lit_share * twice_area(cell.corners) / 2;
-  const bool is_lit =
-      cell.shadows.empty() && std::ranges::any_of(cell.images, [](const ConvexPart& image) { return image.empty(); });
-  has_dark_ = has_dark_ || !is_lit;
-  if (wanted_ == CellResult::measure) return;
-  const RegionBorder lit = lit_border(cell);
-  border_.insert(border_.end(), lit.begin(), lit.end());
-}
-
-RegionBorder LitCells::lit_border(const LitCell& cell) const {
-  const std::vector<ImagePolygon> triangle{ImagePolygon(cell.corners.begin(), cell.corners.end())};
-  std::vector<ImagePolygon> images;
-  std::vector<ImagePolygon> shadows;
-  bool is_whole = false;
-  for (const ConvexPart& image : cell.images) {
-    LinearPart part = linear_part(cell.corners, corner_values(image), grid_bits_);
-    is_whole = is_whole || part.is_whole;
-    if (!part.polygon.empty()) images.push_back(std::move(part.polygon));
-  }
-  for (const ConvexPart& shadow : cell.shadows) {
-    LinearPart part = linear_part(cell.corners, corner_values(shadow), grid_bits_);
-    if (part.is_whole) return {};
-    if (!part.polygon.empty()) shadows.push_back(std::move(part.polygon));
-  }
-  if (images.empty()) return {};
-  RegionBorder border = lit_region(triangle, {}, grid_bits_);
-  if (is_whole && shadows.empty()) return border;
-  return common_part(border, lit_region(images, shadows, grid_bits_));
+  if (!is_precise(measure->uncertain(), precision) && divide(cell, outline, precision)) return;
+  known_.push_back({measure->uncertain(), measure->lit_share() * twice_area(cell.corners) / 2,
+                    !middle(cell.corners[0], cell.corners[1])});
+  cells_.push_back(std::move(cell));
 }
 
 }  // namespace sightline::inline reflect

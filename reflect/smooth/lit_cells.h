@@ -8,45 +8,16 @@
 // Method: a condition that holds in a cell is no more asked in its parts, and what contradicts one is left out. Cells are halved
 //      at their older side (newest-vertex bisection), whose middle is a grid point as long as it divides.
 //      A condition that is noise everywhere in a cell, as that of a ray along the plane of an obstacle, does not hold.
-// Complexity: O(k) per cell for k conditions that are open there; overlay.h's where the border is.
+// Complexity: O(k) per cell for k conditions that are open there; cell_borders.h's where the border is.
 // Source: Farin 1986 (Bernstein's basis); Sewell 1972, Mitchell 1989 (newest-vertex bisection).
 #pragma once
 
-#include <array>
-#include <optional>
 #include <vector>
 
 #include "reflect/regions/polygon_outline.h"
-#include "reflect/smooth/bent_mirror.h"
-#include "reflect/smooth/linear_part.h"
+#include "reflect/smooth/cell_borders.h"
 
 namespace sightline::inline reflect {
-
-// An edge of a facet, as a ray meets the facet from one side. Where two facets share it, each on its own side of it, there is no border of both
-// together.
-struct Seam {
-  std::uint32_t object = 0;
-  bool from_front = true;
-  std::uint32_t start = 0;
-  std::uint32_t end = 0;
-  friend constexpr auto operator<=>(const Seam&, const Seam&) = default;
-
-  [[nodiscard]] constexpr Seam from_beyond() const { return {object, from_front, end, start}; }
-};
-
-struct SeamedCondition {
-  Condition condition;
-  std::optional<Seam> seam;
-};
-
-// All of the conditions hold there: those that are open; the others are settled.
-using ConvexPart = std::vector<SeamedCondition>;
-
-struct LitCell {
-  ImageTriangle corners;  // counter-clockwise; the first two have the older side between them
-  std::vector<ConvexPart> images;
-  std::vector<ConvexPart> shadows;
-};
 
 // In spacings of the grid: what area of a cell may stay uncertain, and how far its border may be from where it should be.
 struct CellPrecision {
@@ -54,49 +25,51 @@ struct CellPrecision {
   double distance = 0;
 };
 
-// Whether borders are wanted, or only how much is lit, about, and how well that is known.
-enum class CellResult : std::uint8_t { measure, border };
+// What is known of cells together.
+struct CellsFound {
+  double lit_area = 0;  // about, and beyond the polygon, too
+  double uncertain_area = 0;
+  double distance = 0;
+  double largest_uncertain_area = 0;  // of a cell that can be divided
+  bool is_all_lit = true;
+
+  CellsFound& operator+=(const CellsFound& more);
+};
 
 class LitCells {
  public:
-  LitCells(const PolygonOutline& outline, const CellPrecision& precision, CellResult wanted, int grid_bits)
-      : outline_(outline), precision_(precision), wanted_(wanted), grid_bits_(grid_bits) {}
+  // Adds a cell, divided until its parts are precise.
+  void add(LitCell cell, const PolygonOutline& outline, const CellPrecision& precision);
+  // Divides those that are not as precise.
+  void divide(const PolygonOutline& outline, const CellPrecision& precision);
 
-  void look_at(LitCell cell);
-
-  [[nodiscard]] const RegionBorder& border() const { return border_; }
-  [[nodiscard]] bool is_all_lit() const { return !has_dark_; }
-  [[nodiscard]] double uncertain_area() const { return uncertain_area_; }
-  // About so much is lit; beyond the polygon, too.
-  [[nodiscard]] double estimated_area() const { return estimated_area_; }
-  // So many cells have uncertain parts.
-  [[nodiscard]] std::uint64_t uncertain_count() const { return uncertain_count_; }
-  [[nodiscard]] double distance() const { return distance_; }
-  [[nodiscard]] std::uint64_t cell_count() const { return cell_count_; }
-  // In so many of the cells that are not divided further there are shadows.
-  [[nodiscard]] std::uint64_t shadow_count() const { return shadow_count_; }
+  // Those that are not divided, and not dark.
+  [[nodiscard]] const std::vector<LitCell>& cells() const { return cells_; }
+  [[nodiscard]] CellsFound found() const;
+  [[nodiscard]] RegionBorder border() const { return border_of_cells(cells_, halved_); }
+  // So many cells were looked at.
+  [[nodiscard]] std::uint64_t count() const { return count_; }
 
  private:
-  [[nodiscard]] bool is_outside(const ImageTriangle& t) const;
-  [[nodiscard]] bool is_precise(const CellPrecision& uncertain) const {
-    return uncertain.area <= precision_.area && uncertain.distance <= precision_.distance;
-  }
-  void keep(const LitCell& cell, const CellPrecision& uncertain, double lit_share);
-  [[nodiscard]] RegionBorder lit_border(const LitCell& cell) const;
+  struct Known {
+    CellPrecision uncertain;
+    double lit_area = 0;
+    bool is_least = false;  // it cannot be divided
+  };
 
-  const PolygonOutline& outline_;
-  CellPrecision precision_;
-  CellResult wanted_;
-  int grid_bits_;
-  RegionBorder border_;
+  [[nodiscard]] bool divide(const LitCell& cell, const PolygonOutline& outline, const CellPrecision& precision);
+  void look_at(LitCell cell, const PolygonOutline& outline, const CellPrecision& precision);
+
+  std::vector<LitCell> cells_;
+  std::vector<Known> known_;  // parallel to the cells
+  CellSides halved_;
   bool has_dark_ = false;
-  double uncertain_area_ = 0;
-  double estimated_area_ = 0;
-  std::uint64_t uncertain_count_ = 0;
-  double distance_ = 0;
-  std::uint64_t cell_count_ = 0;
-  std::uint64_t shadow_count_ = 0;
+  std::uint32_t number_count_ = 0;
+  std::uint64_t count_ = 0;
 };
+
+// Leaves out of the cell the parts that are nowhere. Returns false where nothing is lit for certain.
+[[nodiscard]] bool narrow_to_lit(LitCell& cell);
 
 // Returns whether a place of the cell is lit for certain.
 [[nodiscard]] bool is_lit_at(const LitCell& cell, const Point2& place);

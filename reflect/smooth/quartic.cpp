@@ -6,6 +6,7 @@ namespace sightline::inline reflect {
 namespace {
 
 constexpr std::size_t n = Quartic::degree;
+using QuarticCoefficients = std::array<double, form_size(n)>;
 
 constexpr double factorial(std::size_t number) {
   return number < 2 ? 1 : static_cast<double>(number) * factorial(number - 1);
@@ -30,22 +31,31 @@ constexpr auto multinomials = [] {
   return result;
 }();
 
+// Where in the triangle a coefficient belongs: what of it the corners have there.
+constexpr auto shares = [] {
+  std::array<std::array<double, 3>, form_size(n)> result{};
+  for_each_coefficient([&](std::size_t i, std::size_t j, std::size_t k, std::size_t at) {
+    result[at] = {static_cast<double>(i) / n, static_cast<double>(j) / n, static_cast<double>(k) / n};
+  });
+  return result;
+}();
+
 }  // namespace
 
 Quartic::Quartic(const BarycentricForm<degree, double>& form) {
   for (std::size_t i = 0; i < coefficients_.size(); ++i) coefficients_[i] = form.coefficients[i] / multinomials[i];
 }
 
-double Quartic::departure() const {
+Quartic::Departure Quartic::departure() const {
   const std::array<double, 3> corner = corners();
-  double greatest = 0;
-  for_each_coefficient([&](std::size_t i, std::size_t j, std::size_t k, std::size_t at) {
-    const double linear =
-        (static_cast<double>(i) * corner[0] + static_cast<double>(j) * corner[1] + static_cast<double>(k) * corner[2]) /
-        n;
-    greatest = std::max(greatest, std::fabs(coefficients_[at] - linear));
-  });
-  return greatest;
+  Departure result;
+  for (std::size_t at = 0; at < coefficients_.size(); ++at) {
+    const auto& [i, j, k] = shares[at];
+    const double above = coefficients_[at] - (i * corner[0] + j * corner[1] + k * corner[2]);
+    result.below = std::max(result.below, -above);
+    result.above = std::max(result.above, above);
+  }
+  return result;
 }
 
 double Quartic::at(const std::array<double, 3>& barycentric) const {
@@ -61,20 +71,32 @@ double Quartic::at(const std::array<double, 3>& barycentric) const {
   return sum;
 }
 
-// For each power of c the coefficients along a and b are those of a polynomial in one variable.
+namespace {
+
+// De Casteljau's means along a and b, for one power of c: those coefficients are those of a polynomial in one variable.
+template <std::size_t k>
+void halve_along(const QuarticCoefficients& whole, QuarticCoefficients& first, QuarticCoefficients& second) {
+  constexpr std::size_t along = n - k;
+  std::array<double, along + 1> means;
+  for (std::size_t j = 0; j <= along; ++j) means[j] = whole[form_index(j + k, k)];
+  for (std::size_t step = 0; step <= along; ++step) {
+    // Of the first half: c^k a^(along - step) m^step; of the second: b^(along - step) c^k m^step.
+    first[form_index(along, step)] = means[0];
+    second[form_index(k + step, step)] = means[along - step];
+    for (std::size_t j = 0; j + step < along; ++j) means[j] = (means[j] + means[j + 1]) / 2;
+  }
+}
+
+}  // namespace
+
 std::array<Quartic, 2> Quartic::halves() const {
   std::array<Quartic, 2> result;
-  for (std::size_t k = 0; k <= n; ++k) {
-    const std::size_t along = n - k;
-    std::array<double, n + 1> means{};
-    for (std::size_t j = 0; j <= along; ++j) means[j] = coefficients_[form_index(j + k, k)];
-    for (std::size_t step = 0; step <= along; ++step) {
-      // Of the first half: c^k a^(along - step) m^step; of the second: b^(along - step) c^k m^step.
-      result[0].coefficients_[form_index(along, step)] = means[0];
-      result[1].coefficients_[form_index(k + step, step)] = means[along - step];
-      for (std::size_t j = 0; j + step < along; ++j) means[j] = (means[j] + means[j + 1]) / 2;
-    }
-  }
+  auto& [first, second] = result;
+  halve_along<0>(coefficients_, first.coefficients_, second.coefficients_);
+  halve_along<1>(coefficients_, first.coefficients_, second.coefficients_);
+  halve_along<2>(coefficients_, first.coefficients_, second.coefficients_);
+  halve_along<3>(coefficients_, first.coefficients_, second.coefficients_);
+  halve_along<4>(coefficients_, first.coefficients_, second.coefficients_);
   return result;
 }
 

@@ -26,8 +26,12 @@ class Quartic {
     return {coefficients_[0], coefficients_[form_index(degree, 0)], coefficients_[form_index(degree, degree)]};
   }
 
-  // Returns a bound of the distance from the linear function that has the same values at the corners.
-  [[nodiscard]] double departure() const;
+  // Returns bounds of how far it is below and above the linear function that has the same values at the corners.
+  struct Departure {
+    double below = 0;
+    double above = 0;
+  };
+  [[nodiscard]] Departure departure() const;
 
   [[nodiscard]] double at(const std::array<double, 3>& barycentric) const;
 

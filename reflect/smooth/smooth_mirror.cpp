@@ -74,60 +74,7 @@ bool add_meeting(const BentMirror& mirror, const CutMesh& mesh, const FacetSide&
   return is_possible;
 }
 
-// Where a level line crosses a region, the widest stretch of it that is inside; none where rounding leaves none.
-struct Stretch {
-  Point2 middle;
-  double width = 0;
-};
-
-Stretch widest_stretch(const RegionBorder& border, double y) {
-  std::vector<std::pair<double, int>> crossings;
-  for (const BorderSegment& s : border) {
-    const CrossingPoint& p = s.start.at;
-    const CrossingPoint& q = s.end.at;
-    if ((p.y > y) != (q.y > y)) crossings.emplace_back(p.x + (y - p.y) / (q.y - p.y) * (q.x - p.x), p.y > y ? 1 : -1);
-  }
-  std::ranges::sort(crossings);
-  Stretch widest;
-  int winding = 0;
-  for (std::size_t i = 0; i + 1 < crossings.size(); ++i) {
-    winding += crossings[i].second;
-    const double width = crossings[i + 1].first - crossings[i].first;
-    if (winding > 0 && width > widest.width) widest = {{crossings[i].first + width / 2, y}, width};
-  }
-  return widest;
-}
-
-// Returns whether some place of the region is lit for certain: one is looked for beside each of its borders.
-bool has_witness(const RegionBorder& border, const std::vector<LitCell>& covers) {
-  return std::ranges::any_of(border, [&](const BorderSegment& s) {
-    const Stretch stretch = widest_stretch(border, (s.start.at.y + s.end.at.y) / 2);
-    return stretch.width > 0 &&
-           std::ranges::any_of(covers, [&](const LitCell& cover) { return is_lit_at(cover, stretch.middle); });
-  });
-}
-
-RegionBorder inside_half_planes(RegionBorder border, const SmoothPatch& patch, int grid_bits) {
-  for (const ImagePolygon& half_plane : patch.half_planes) {
-    if (border.empty() || half_plane.size() < 3) return {};
-    border = common_part(border, lit_region({half_plane}, {}, grid_bits));
-  }
-  return border;
-}
-
 }  // namespace
-
-// They are measured around the first place, to keep digits.
-double area_of(const RegionBorder& border) {
-  double twice = 0;
-  for (const BorderSegment& segment : border) {
-    const CrossingPoint& origin = border.front().start.at;
-    const CrossingPoint& p = segment.start.at;
-    const CrossingPoint& q = segment.end.at;
-    twice += (p.x - origin.x) * (q.y - origin.y) - (p.y - origin.y) * (q.x - origin.x);
-  }
-  return twice / 2;
-}
 
 SmoothMirror::SmoothMirror(const MirrorWorld& world, const ProjectedScene& scene, FacetId surface)
     : world_(world),
@@ -137,48 +84,23 @@ SmoothMirror::SmoothMirror(const MirrorWorld& world, const ProjectedScene& scene
   if (scene.facing[surface.index()] == FacetFacing::back) std::swap(plane_[1], plane_[2]);
 }
 
-SmoothMirror::Reflecting SmoothMirror::reflecting(const RegionBorder& polygon, std::size_t panel,
-                                                  const CellPrecision& precision, CellResult wanted,
-                                                  ReflectionStatistics& statistics) const {
-  Reflecting result;
-  const PolygonOutline outline(polygon);
-  const double area = area_of(polygon);
-  RegionBorder found;
-  bool is_whole = false;
-  std::vector<LitCell> covers;
+std::optional<PolygonReflection> SmoothMirror::look_at(const RegionBorder& polygon, std::size_t panel,
+                                                       const CellPrecision& precision,
+                                                       ReflectionStatistics& statistics) const {
+  std::optional<PolygonReflection> result;
   for (const SmoothPatch& patch : patches_) {
     for (const PanelSide& side : sides_of(panel)) {
-      LitCells cells(outline, precision, wanted, scene_.grid_bits);
-      bool is_lit = patches_.size() == 1;
+      std::vector<LitCell> covers;
       for (const ImageTriangle& cover : patch.covers) {
         LitCell cell = cell_of(patch, cover, side, statistics);
-        is_lit = is_lit && !cell.images.empty();
-        if (cell.images.empty()) continue;
-        covers.push_back(cell);
-        cells.look_at(std::move(cell));
+        if (!cell.images.empty()) covers.push_back(std::move(cell));
       }
-      statistics.pyramids += cells.cell_count();
-      statistics.blocked += cells.shadow_count();
-      is_whole = is_whole || (is_lit && cells.is_all_lit());
-      result.uncertain_area += cells.uncertain_area();
-      result.distance = std::max(result.distance, cells.distance());
-      result.uncertain_cells += cells.uncertain_count();
-      result.area += cells.estimated_area();
-      const RegionBorder part = inside_half_planes(without_seams(cells.border()), patch, scene_.grid_bits);
-      found.insert(found.end(), part.begin(), part.end());
+      if (covers.empty()) continue;
+      if (!result) result.emplace(polygon);
+      const bool is_all = patches_.size() == 1 && covers.size() == patch.covers.size();
+      result->add(std::move(covers), patch.half_planes, is_all, precision);
     }
   }
-  result.uncertain_area = std::min(result.uncertain_area, area);
-  result.area = is_whole ? area : std::min(result.area, area);
-  if (wanted == CellResult::measure) return result;
-  result.area = 0;
-  if (found.empty()) return result;
-  result.border = is_whole ? polygon : common_part(polygon, without_seams(std::move(found)));
-  result.area = area_of(result.border);
-  if (has_witness(result.border, covers)) return result;
-  result.uncertain_area = std::max(result.uncertain_area, result.area);
-  result.border.clear();
-  result.area = 0;
   return result;
 }
 
@@ -197,7 +119,8 @@ LitCell SmoothMirror::cell_of(const SmoothPatch& patch, const ImageTriangle& cov
   LitCell cell{cover, {}, {}};
   if (!beam.may_reach({world_.scale * box.low, world_.scale * box.high})) return cell;
   add_images(mirror, side, cell.images);
-  if (!cell.images.empty()) cell.shadows = shadows(mirror, beam, side, statistics);
+  if (!narrow_to_lit(cell)) return {cover, {}, {}};
+  cell.shadows = shadows(mirror, beam, side, statistics);
   return cell;
 }
 
@@ -223,10 +146,12 @@ std::vector<ConvexPart> SmoothMirror::shadows(const BentMirror& mirror, const Ra
     return beam.may_reach(scaled) && to_panel.may_reach(scaled);
   };
   std::vector<ConvexPart> result;
+  const bool fronts_suffice = is_closed_before(panel.panel);
   const auto add = [&](const CutMesh& mesh, std::size_t object, UncutFacetId facet) {
     if (!is_in_the_way(mesh, facet, panel)) return;
     ++statistics.obstacles;
     for (const bool from_front : {true, false}) {
+      if (!from_front && fronts_suffice && &mesh == world_.surface.get()) continue;
       const FacetSide side = facet_side(world_, mesh, facet, object, from_front);
       Collector collector;
       if (add_meeting(mirror, mesh, side, collector) && collector.add(mirror.meets_before(side.plane, emitting)))
@@ -246,6 +171,12 @@ std::vector<ConvexPart> SmoothMirror::shadows(const BentMirror& mirror, const Ra
     add_images(mirror, {p, false}, result);
   }
   return result;
+}
+
+// Both the eye and the panel are outside of a closed surface.
+bool SmoothMirror::is_closed_before(std::size_t panel) const {
+  if (!world_.closed || overlap(*world_.closed, world_.panel_boxes[panel])) return false;
+  return scene_.camera.projection == Projection::orthographic || !contains(*world_.closed, scene_.camera.eye.xyz);
 }
 
 // Some corner is above the mirror's plane, and some, perhaps another, before the panel's emitting side.

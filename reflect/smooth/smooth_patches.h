@@ -12,8 +12,9 @@
 #include <vector>
 
 #include "geometry/projection/projected_scene.h"
+#include "reflect/regions/sheets.h"
+#include "reflect/smooth/barycentric_polygon.h"
 #include "reflect/smooth/bent_mirror.h"
-#include "reflect/smooth/linear_part.h"
 #include "reflect/world/mirror_world.h"
 
 namespace sightline::inline reflect {

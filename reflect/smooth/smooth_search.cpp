@@ -5,86 +5,112 @@
 namespace sightline::inline reflect {
 namespace {
 
-constexpr double aim = 0.7;                   // of what is allowed: what is next should do
+constexpr double aim = 0.9;                   // of what is allowed: an area is an estimate as long as it has no border
 constexpr double negligible_share = 0x1p-30;  // of the window
-constexpr int most_rounds = 20;
+constexpr int most_rounds = 100;
 
-class SmoothSearch {
+// All polygons and one panel.
+class PanelSearch {
  public:
-  SmoothSearch(const MirrorWorld& world, const ProjectedScene& scene, const std::vector<MirrorPolygon>& polygons,
-               ReflectionStatistics& statistics)
-      : world_(world),
-        scene_(scene),
-        polygons_(polygons),
-        statistics_(statistics),
+  PanelSearch(const MirrorWorld& world, const ProjectedScene& scene, const std::vector<MirrorPolygon>& polygons,
+              std::size_t panel)
+      : polygons_(polygons),
+        grid_bits_(scene.grid_bits),
         half_window_(std::ldexp(1.0, scene.grid_bits)),
-        result_{std::vector(polygons.size(), std::vector<SmoothMirror::Reflecting>(world.panels.size())),
-                std::vector<SmoothMirror::Reflecting>(world.panels.size())} {}
+        tolerance_(world.options.tolerance),
+        panel_(panel),
+        reflections_(polygons.size()),
+        found_(polygons.size()),
+        has_border_(polygons.size(), true) {}
 
-  SmoothReflections run() {
-    for (std::size_t panel = 0; panel < world_.panels.size(); ++panel) {
-      CellPrecision precision{half_window_ * half_window_, world_.options.tolerance * half_window_};
-      for (int round = 0; round < most_rounds; ++round) {
-        look_at(panel, precision, CellResult::measure, round == 0);
-        if (is_precise(panel)) break;
-        precision.area = next_area(panel, precision.area);
-      }
-      look_at(panel, precision, CellResult::border, false);
-      for (int round = 0; round < most_rounds && !is_precise(panel); ++round) {
-        precision.area = next_area(panel, precision.area);
-        look_at(panel, precision, CellResult::border, false);
-      }
+  void run(const MirrorWorld& world, const ProjectedScene& scene, ReflectionStatistics& statistics) {
+    look_at_all(world, scene, statistics);
+    for (int round = 0; round < most_rounds; ++round) {
+      while (!is_precise(aim) && divide_most_uncertain()) ++round;
+      add_borders();
+      if (is_precise(1) || !divide_most_uncertain()) break;
     }
-    return std::move(result_);
+    add_borders();
+    statistics.pyramids += dark_cells_;
+    for (const auto& reflection : reflections_) {
+      if (!reflection) continue;
+      statistics.pyramids += reflection->cell_count();
+      statistics.blocked += reflection->shadowed_count();
+    }
   }
+
+  [[nodiscard]] Reflecting together() const {
+    Reflecting all;
+    for (const Reflecting& found : found_) {
+      all.area += found.area;
+      all.uncertain_area += found.uncertain_area;
+      all.distance = std::max(all.distance, found.distance);
+    }
+    return all;
+  }
+  [[nodiscard]] Reflecting take(std::size_t polygon) { return std::move(found_[polygon]); }
 
  private:
-  [[nodiscard]] bool is_precise(std::size_t panel) const {
-    const SmoothMirror::Reflecting& all = result_.together[panel];
-    return all.uncertain_area <= allowed(all);
-  }
-
-  [[nodiscard]] double allowed(const SmoothMirror::Reflecting& all) const {
-    return std::max(world_.options.tolerance * all.area, negligible_share * 4 * half_window_ * half_window_);
-  }
-
-  // Where a border is followed by n cells, each has an uncertain area in proportion to n^-3, and all have n^-2: so to a share s of
-  // what is uncertain in all belongs s^1.5 of what is in each.
-  [[nodiscard]] double next_area(std::size_t panel, double area) const {
-    const SmoothMirror::Reflecting& all = result_.together[panel];
-    const double share = aim * allowed(all) / all.uncertain_area;
-    const double mean = all.uncertain_area / static_cast<double>(std::max<std::uint64_t>(1, all.uncertain_cells));
-    return std::min(area / 2, mean * std::pow(share, 1.5));
-  }
-
-  // Polygons of which nothing was uncertain, and that reflect nothing, are known.
-  void look_at(std::size_t panel, const CellPrecision& precision, CellResult wanted, bool all) {
-    SmoothMirror::Reflecting together;
+  void look_at_all(const MirrorWorld& world, const ProjectedScene& scene, ReflectionStatistics& statistics) {
+    const CellPrecision precision{4 * half_window_ * half_window_, tolerance_ * half_window_};
     std::optional<SmoothMirror> mirror;
     FacetId surface;
     for (std::size_t p = 0; p < polygons_.size(); ++p) {
-      SmoothMirror::Reflecting& found = result_.found[p][panel];
-      const bool has_no_border = wanted == CellResult::border && found.area > 0 && found.border.empty();
-      if (all || found.uncertain_area > 0 || has_no_border) {
-        if (world_.is_snapped_surface(panel, polygons_[p].surface)) continue;
-        if (!mirror || surface != polygons_[p].surface) mirror.emplace(world_, scene_, polygons_[p].surface);
-        surface = polygons_[p].surface;
-        found = mirror->reflecting(polygons_[p].border, panel, precision, wanted, statistics_);
-      }
-      together.area += found.area;
-      together.uncertain_area += found.uncertain_area;
-      together.distance = std::max(together.distance, found.distance);
-      together.uncertain_cells += found.uncertain_cells;
+      if (world.is_snapped_surface(panel_, polygons_[p].surface)) continue;
+      if (!mirror || surface != polygons_[p].surface) mirror.emplace(world, scene, polygons_[p].surface);
+      surface = polygons_[p].surface;
+      reflections_[p] = mirror->look_at(polygons_[p].border, panel_, precision, statistics);
+      if (reflections_[p]) measure(p);
     }
-    result_.together[panel] = together;
   }
 
-  const MirrorWorld& world_;
-  const ProjectedScene& scene_;
+  // What is dark needs no further look.
+  void measure(std::size_t p) {
+    found_[p] = reflections_[p]->measured();
+    has_border_[p] = reflections_[p]->is_dark();
+    if (!reflections_[p]->is_dark()) return;
+    dark_cells_ += reflections_[p]->cell_count();
+    reflections_[p].reset();
+  }
+
+  [[nodiscard]] bool is_precise(double share) const {
+    const Reflecting all = together();
+    const double negligible = negligible_share * 4 * half_window_ * half_window_;
+    return all.uncertain_area <= std::max(share * tolerance_ * all.area, negligible);
+  }
+
+  // Returns false where all cells are as small as they can be.
+  [[nodiscard]] bool divide_most_uncertain() {
+    double most = 0;
+    for (const auto& reflection : reflections_) {
+      if (reflection) most = std::max(most, reflection->largest_uncertain_area());
+    }
+    if (most == 0) return false;
+    for (std::size_t p = 0; p < polygons_.size(); ++p) {
+      if (!reflections_[p] || reflections_[p]->largest_uncertain_area() <= most / 2) continue;
+      reflections_[p]->divide({most / 2, tolerance_ * half_window_});
+      measure(p);
+    }
+    return true;
+  }
+
+  void add_borders() {
+    for (std::size_t p = 0; p < polygons_.size(); ++p) {
+      if (has_border_[p]) continue;
+      found_[p] = reflections_[p]->bordered(polygons_[p].border, grid_bits_);
+      has_border_[p] = true;
+    }
+  }
+
   const std::vector<MirrorPolygon>& polygons_;
-  ReflectionStatistics& statistics_;
+  int grid_bits_;
   double half_window_;
-  SmoothReflections result_;
+  double tolerance_;
+  std::size_t panel_;
+  std::vector<std::optional<PolygonReflection>> reflections_;
+  std::vector<Reflecting> found_;
+  std::vector<bool> has_border_;
+  std::uint64_t dark_cells_ = 0;
 };
 
 }  // namespace
@@ -92,7 +118,14 @@ class SmoothSearch {
 SmoothReflections find_smooth_reflections(const MirrorWorld& world, const ProjectedScene& scene,
                                           const std::vector<MirrorPolygon>& polygons,
                                           ReflectionStatistics& statistics) {
-  return SmoothSearch(world, scene, polygons, statistics).run();
+  SmoothReflections result{std::vector<std::vector<Reflecting>>(polygons.size()), {}};
+  for (std::size_t panel = 0; panel < world.panels.size(); ++panel) {
+    PanelSearch search(world, scene, polygons, panel);
+    search.run(world, scene, statistics);
+    result.together.push_back(search.together());
+    for (std::size_t p = 0; p < polygons.size(); ++p) result.found[p].push_back(search.take(p));
+  }
+  return result;
 }
 
 }  // namespace sightline::inline reflect

@@ -3,11 +3,11 @@
 // In:  a world with normals, a view's scene, its visible polygons by their borders.
 // Out: per polygon and panel what reflects; per panel how much of that may be wrong, and how far a border may be off.
 // Holds: per panel at most the tolerance's share of the reflecting area is uncertain, and no border is further than the tolerance,
-//      in half windows, from where it should be; or all cells are as small as the grid allows, or there were twenty rounds, or what is uncertain is less than
+//      in half windows, from where it should be; or all cells are as small as the grid allows, or there were a hundred rounds, or what is uncertain is less than
 //      2^-30 of the window.
-// Method: rounds. In each a cell may have a share of what may be uncertain in all; where they have too much together, the polygons
-//      that have any are looked at again, with smaller shares.
-// Complexity: that of the last round, but for a factor.
+// Method: rounds. In each the cells are divided, of all polygons, that are at least half as uncertain as the most uncertain one. Once
+//      there is little enough together, borders are made.
+// Complexity: that of lit_cells.h for all cells, and a look at each of them per round.
 #pragma once
 
 #include <functional>
@@ -24,8 +24,8 @@ struct MirrorPolygon {
 };
 
 struct SmoothReflections {
-  std::vector<std::vector<SmoothMirror::Reflecting>> found;  // per polygon, per panel
-  std::vector<SmoothMirror::Reflecting> together;            // per panel: without a border
+  std::vector<std::vector<Reflecting>> found;  // per polygon, per panel
+  std::vector<Reflecting> together;            // per panel: without a border
 };
 
 // Polygons of one surface follow each other.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "geometry/mesh/facet_plane.h"
+#include "reflect/world/closed_surface.h"
 #include "reflect/world/uncut_facets.h"
 
 namespace sightline::inline reflect {
@@ -38,12 +39,14 @@ std::vector<std::size_t> earlier_ones_in_plane(const MirrorWorld& world, std::si
 MirrorWorld make_mirror_world(std::shared_ptr<const CutMesh> surface, std::vector<Panel> panels,
                               const ReflectionOptions& options, const std::vector<Vector3>& given_normals,
                               std::vector<std::uint8_t> mirror_faces) {
-  MirrorWorld world{std::move(surface), std::move(panels), options, {}, {}, {}, {}, {}, {}, 1, {}, std::move(mirror_faces)};
+  MirrorWorld world{
+      std::move(surface), std::move(panels), options, {}, {}, {}, {}, {}, {}, 1, {}, std::move(mirror_faces), {}};
   if (world.panels.empty()) return world;
   world.obstacles = Obstacles(*world.surface);
   world.scale = unit_scale(world.surface->vertices);
   if (options.needs_vertex_normals())
     world.normals = vertex_normals(*world.surface, given_normals, options.normal_options());
+  if (options.mode == ReflectionMode::smooth) world.closed = box_of_closed(*world.surface);
   for (Panel& panel : world.panels) {
     const CutMesh& mesh = world.panel_meshes.emplace_back(uncrossed(panel_mesh(panel)));
     panel.corners = mesh.vertices;

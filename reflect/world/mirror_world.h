@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -33,6 +34,7 @@ struct MirrorWorld {
   std::vector<Vector3> normals;  // where the options need them: vertex_normals(surface)
   // Per face 1 where it mirrors; empty: all do. What does not is in the way all the same.
   std::vector<std::uint8_t> mirror_faces;
+  std::optional<Box> closed;  // a box around the surface, where mirrors are smooth and it is closed (closed_surface.h)
 
   // Returns whether the facet counts as in the panel's plane: then it does not hide the panel.
   [[nodiscard]] bool is_snapped(std::size_t panel, UncutFacetId facet) const;

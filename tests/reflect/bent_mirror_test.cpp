@@ -111,7 +111,9 @@ TEST_CASE(
       const double value = quartic.at(at);
       CHECK(value >= quartic.least() - 1e-15);
       CHECK(value <= quartic.greatest() + 1e-15);
-      CHECK(std::fabs(value - (a * at[0] + b * at[1] + c * at[2])) <= quartic.departure() + 1e-15);
+      const double linear = a * at[0] + b * at[1] + c * at[2];
+      CHECK(value - linear <= quartic.departure().above + 1e-15);
+      CHECK(linear - value <= quartic.departure().below + 1e-15);
       // The halves are (c, a, m) and (b, c, m).
       CHECK(halves[0].at(at) == doctest::Approx(quartic.at({at[1] + at[2] / 2, at[2] / 2, at[0]})).epsilon(1e-12));
       CHECK(halves[1].at(at) == doctest::Approx(quartic.at({at[2] / 2, at[0] + at[2] / 2, at[1]})).epsilon(1e-12));
