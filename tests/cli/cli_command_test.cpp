@@ -12,7 +12,6 @@
 #include "tests/tools/command_runner.h"
 
 namespace sightline::tests::cli_command_test {
-using namespace cli;
 
 using Json = nlohmann::ordered_json;
 

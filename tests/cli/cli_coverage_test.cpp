@@ -8,7 +8,6 @@
 #include "tests/tools/command_runner.h"
 
 namespace sightline::tests::cli_coverage_test {
-using namespace cli;
 
 namespace {
 

@@ -8,7 +8,6 @@
 #include "tests/tools/command_runner.h"
 
 namespace sightline::tests::cli_panels_test {
-using namespace cli;
 
 using Json = nlohmann::ordered_json;
 

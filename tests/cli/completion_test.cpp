@@ -8,7 +8,6 @@
 #include "tests/tools/command_runner.h"
 
 namespace sightline::tests::completion_test {
-using namespace cli;
 
 namespace {
 

@@ -10,7 +10,6 @@
 #include "tests/tools/command_runner.h"
 
 namespace sightline::tests::extremes_table_test {
-using namespace cli;
 
 namespace {
 

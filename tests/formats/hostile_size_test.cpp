@@ -10,7 +10,6 @@
 #include "tests/tools/running_command.h"
 
 namespace sightline::tests::hostile_size_test {
-using namespace cli;
 
 namespace {
 
