@@ -144,7 +144,9 @@ void require_consistent(const TraceTexts& texts) {
 }  // namespace
 
 void declare_analyze(CLI::App& analyze, AnalyzeTexts& texts) {
-  analyze.add_option("input", texts.input, "a scene file (.toml), or a mesh (OBJ, STL, PLY, OFF, glTF, 3MF) with a camera from the options")
+  analyze
+      .add_option("input", texts.input,
+                  "a scene file (.toml), or a mesh (OBJ, STL, PLY, OFF, glTF, 3MF) with a camera from the options")
       ->required()
       ->type_name("SCENE.toml|MESH");
   declare_camera(analyze, texts.camera);
@@ -173,7 +175,9 @@ AnalyzeOptions options_of(const AnalyzeTexts& texts) {
 }
 
 void declare_compare(CLI::App& compare, CompareTexts& texts) {
-  compare.add_option("input", texts.input, "a scene file (.toml), or a mesh (OBJ, STL, PLY, OFF, glTF, 3MF) with a camera from the options")
+  compare
+      .add_option("input", texts.input,
+                  "a scene file (.toml), or a mesh (OBJ, STL, PLY, OFF, glTF, 3MF) with a camera from the options")
       ->required()
       ->type_name("SCENE.toml|MESH");
   compare.add_option("--camera", texts.camera, "which of the scene's cameras (the first)")->type_name("NAME");

@@ -298,8 +298,8 @@ TEST_CASE("a matrix that is no camera is an error") {
   CHECK_THROWS_WITH_AS(static_cast<void>(projection_matrix_camera("c", flat, image)), doctest::Contains("singular"),
                        CameraError);
   const Matrix34 line{{1, 2, 0, 0}, {2, 4, 0, 0}, {0, 0, 0, 1}};
-  CHECK_THROWS_WITH_AS(static_cast<void>(projection_matrix_camera("c", line, image)), doctest::Contains("rows are parallel"),
-                       CameraError);
+  CHECK_THROWS_WITH_AS(static_cast<void>(projection_matrix_camera("c", line, image)),
+                       doctest::Contains("rows are parallel"), CameraError);
   const Matrix34 nowhere{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 0, 0}};
   CHECK_THROWS_WITH_AS(static_cast<void>(projection_matrix_camera("c", nowhere, image)),
                        doctest::Contains("no direction"), CameraError);
