@@ -1,6 +1,7 @@
 #include "formats/writing/segments_table.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 #include "formats/writing/window_points.h"
@@ -28,23 +29,26 @@ MeshEdgeId edge_under(const ProjectedScene& scene, const VisibleSegment& segment
   return edge_of_face(scene, segment, face_of(mesh, segment.other));
 }
 
-constexpr const char* common_line = "common";
-constexpr const char* border_line = "border";
+// The line that a segment is on: an edge of the mesh is named by its ends, others have none.
+struct SegmentLine {
+  const char* kind = "";
+  std::array<VertexId, 2> ends;
+};
 
-// An edge is named by its ends. A piece of an edge of the input is named as that edge is; where a lens is in use, only its frame
-// makes others.
-void write_edge(const CutMesh& mesh, MeshEdgeId edge, TextBuffer& out) {
-  if (!edge.valid()) {
-    out << border_line;
-    return;
-  }
+constexpr SegmentLine common_line{"common", {}};
+constexpr SegmentLine border_line{"border", {}};
+
+// A piece of an edge of the input is named as that edge is; where a lens is in use, only its frame makes others.
+SegmentLine line_of(const CutMesh& mesh, MeshEdgeId edge) {
+  if (!edge.valid()) return border_line;
   const auto& ends = mesh.is_cut() ? mesh.cuts.input_edge[edge.index()] : mesh.edges[edge.index()];
-  if (!ends[0].valid()) {
-    out << (mesh.cuts.outside_frame.empty() ? common_line : border_line);
-    return;
-  }
-  const auto [low, high] = std::minmax(ends[0], ends[1]);
-  out << low.value << '-' << high.value;
+  if (!ends[0].valid()) return mesh.cuts.outside_frame.empty() ? common_line : border_line;
+  return {"mesh", {std::min(ends[0], ends[1]), std::max(ends[0], ends[1])}};
+}
+
+SegmentLine line_of(const ProjectedScene& scene, const VisibleSegment& segment) {
+  if (segment.edge.index() >= scene.edge_count()) return common_line;
+  return line_of(scene.mesh(), edge_under(scene, segment));
 }
 
 }  // namespace
@@ -55,19 +59,19 @@ void write_segments_table(const View& view, const std::vector<Point2>& places, T
   const Camera& camera = view.scene.camera;
   std::optional<PlaceTexts> pixels;
   if (camera.lens_image) pixels.emplace(bent_pixels(camera, places));
-  out << "face,start_x,start_y,end_x,end_y,edge,other_face";
+  out << "face,start_x,start_y,end_x,end_y,edge,other_face,edge_start,edge_end";
   if (pixels) out << ",start_pixel_x,start_pixel_y,end_pixel_x,end_pixel_y";
   out << '\n';
   for (const VisibleSegment& segment : view.segments.segments) {
     out << face_of(mesh, segment.facet).value << ',' << texts.x(segment.start) << ',' << texts.y(segment.start) << ','
         << texts.x(segment.end) << ',' << texts.y(segment.end) << ',';
-    if (segment.edge.index() < view.scene.edge_count()) {
-      write_edge(mesh, edge_under(view.scene, segment), out);
-    } else {
-      out << common_line;
-    }
-    out << ',';
+    const SegmentLine line = line_of(view.scene, segment);
+    out << line.kind << ',';
     if (segment.other.valid()) out << face_of(mesh, segment.other).value;
+    for (const VertexId end : line.ends) {
+      out << ',';
+      if (end.valid()) out << end.value;
+    }
     if (pixels) {
       out << ',' << pixels->x(segment.start) << ',' << pixels->y(segment.start) << ',' << pixels->x(segment.end) << ','
           << pixels->y(segment.end);

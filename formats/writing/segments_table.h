@@ -1,8 +1,9 @@
 // segments.csv has every visible segment, in the sweep's order.
 //
-// Columns: face (to the segment's left), start and end in the window [-1, 1]^2 (x right, y up), the mesh edge it lies
-// on as "u-v" (vertex indices from 0, welded, smaller first; "border" where it is the view volume's), and the face that
-// is topmost on its right (empty: none).
+// Columns: face (to the segment's left), start and end in the window [-1, 1]^2 (x right, y up), what it lies on
+// ("mesh": an edge of the mesh; "common": a common line of two faces; "border": of the view volume, or of a lens's frame), the face
+// that is topmost on its right (empty: none), and the ends of the mesh's edge (vertex indices from 0, welded, smaller first; in two
+// columns, as a spreadsheet takes 3-7 for a date).
 #pragma once
 
 #include <string>

@@ -167,7 +167,8 @@ TEST_CASE("faces.csv reads back as the measures, and Fang's areas are those of h
   for (std::size_t f = 0; f < 2; ++f) {
     const FaceMeasures& face = fang_view.faces[f];
     const auto cells = split(lines[f + 1], ',');
-    REQUIRE(cells.size() == 7);
+    REQUIRE(cells.size() == 9);
+    CHECK(cells[5] == "mesh");
     CHECK(cells[0] == std::to_string(f));
     CHECK(cells[1] == "front");
     const std::array<double, 5> values{face.area, face.in_view_area, face.visible_area, face.image_area,
@@ -219,7 +220,7 @@ TEST_CASE("segments.csv has Fang's fourteen segments, and each runs along its me
   const View& view = fang_view.analysis.view;
   const auto lines = lines_of(
       text_of([&](TextBuffer& out) { write_segments_table(fang_view.analysis.view, window_points(view), out); }));
-  CHECK(lines[0] == "face,start_x,start_y,end_x,end_y,edge,other_face");
+  CHECK(lines[0] == "face,start_x,start_y,end_x,end_y,edge,other_face,edge_start,edge_end");
   REQUIRE(lines.size() == 15);
   std::map<std::string, int> faces;
   for (std::size_t i = 1; i < lines.size(); ++i) {
@@ -227,10 +228,8 @@ TEST_CASE("segments.csv has Fang's fourteen segments, and each runs along its me
     const auto cells = split(lines[i], ',');
     REQUIRE(cells.size() == 7);
     ++faces[cells[0]];
-    const auto ends = split(cells[5], '-');
-    REQUIRE(ends.size() == 2);
-    const Point3& u = fang_view.analysis.view.mesh().vertices[std::stoul(ends[0])];
-    const Point3& v = fang_view.analysis.view.mesh().vertices[std::stoul(ends[1])];
+    const Point3& u = fang_view.analysis.view.mesh().vertices[std::stoul(cells[7])];
+    const Point3& v = fang_view.analysis.view.mesh().vertices[std::stoul(cells[8])];
     for (const std::size_t at : {std::size_t{1}, std::size_t{3}}) {
       const double x = 8 + 8 * number(cells[at]);
       const double y = 8 + 8 * number(cells[at + 1]);

@@ -305,7 +305,8 @@ TEST_CASE("Behind a lens the segments' table has pixels, and the drawing is the 
   write_segments_table(view, places, table);
   const std::string rows = table.take();
   CHECK(rows.starts_with(
-      "face,start_x,start_y,end_x,end_y,edge,other_face,start_pixel_x,start_pixel_y,end_pixel_x,end_pixel_y\n"));
+      "face,start_x,start_y,end_x,end_y,edge,other_face,edge_start,edge_end,start_pixel_x,start_pixel_y,end_pixel_x,"
+      "end_pixel_y\n"));
   CHECK(rows.find(",border,,") != std::string::npos);
   TextBuffer svg;
   write_view_svg(view, places, {}, svg);
