@@ -104,8 +104,11 @@ FaceMask faces_of(const FaceRegions& regions, const RegionChoice& choice, const 
 FaceMask faces_of(const FaceRegions& regions, const MaterialChoice& choice, const std::string& scene_file) {
   const auto meant = meant_regions(regions, [&](const Region& region) { return fits_material(region, choice); });
   if (std::ranges::count(meant, 1) == 0)
-    throw InputError(scene_file, choice.line,
-                     fmt::format("'mirrors_material': no material is so; {}", materials_in(regions)));
+    throw InputError(
+        scene_file, choice.line,
+        fmt::format("'mirrors_material': no material is so; {}; look whether the file that mtllib names is beside "
+                    "the mesh",
+                    materials_in(regions)));
   return faces_in(regions, meant);
 }
 

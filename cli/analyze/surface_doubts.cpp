@@ -27,26 +27,40 @@ WarpedFaces warped_faces(const PolygonMesh& mesh) {
 }
 
 // Facets of one face count together.
-void add_faces_of_panel(const CutMesh& mesh, const MirrorWorld& world, std::size_t panel,
-                        std::vector<PanelCoincidence>& found) {
+void add_faces(const CutMesh& mesh, const std::string& panel, const Flush& flush,
+               std::vector<PanelCoincidence>& found) {
   const std::size_t first = found.size();
-  for (const FlushFacet& flush : world.flush[panel].facets) {
-    const FaceId face = mesh.facet_face[mesh.first_piece(flush.facet).index()];
-    if (found.size() == first || found.back().face != face)
-      found.push_back({{0, 0}, world.panels[panel].name, face, ""});
-    found.back().distance = std::max(found.back().distance, flush.distance);
-    found.back().overlap += flush.overlap;
+  for (const FlushFacet& part : flush.facets) {
+    const FaceId face = mesh.facet_face[mesh.first_piece(part.facet).index()];
+    if (found.size() == first || found.back().face != face) found.push_back({{0, 0}, panel, face, ""});
+    found.back().distance = std::max(found.back().distance, part.distance);
+    found.back().overlap += part.overlap;
   }
 }
 
 std::vector<PanelCoincidence> coincidences_of_panels(const CutMesh& mesh, const MirrorWorld& world) {
   std::vector<PanelCoincidence> found;
   for (std::size_t p = 0; p < world.flush.size(); ++p) {
-    add_faces_of_panel(mesh, world, p, found);
+    add_faces(mesh, world.panels[p].name, world.flush[p], found);
     for (const FlushPanel& flush : world.flush[p].panels) {
       if (flush.panel > p) found.push_back({flush, world.panels[p].name, std::nullopt, world.panels[flush.panel].name});
     }
   }
+  return found;
+}
+
+// Faces that panels all but lie on, farther from them than what counts as on them.
+std::vector<PanelCoincidence> near_panels(const CutMesh& mesh, const MirrorWorld& world,
+                                          const std::vector<PanelCoincidence>& known) {
+  std::vector<PanelCoincidence> found;
+  const double distance = near_share * size_of(mesh);
+  for (std::size_t p = 0; p < world.panel_meshes.size(); ++p)
+    add_faces(mesh, world.panels[p].name, find_flush(mesh, world.obstacles, world.panel_meshes, p, distance), found);
+  std::erase_if(found, [&](const PanelCoincidence& near) {
+    return near.distance == 0 || std::ranges::any_of(known, [&](const PanelCoincidence& pair) {
+             return pair.panel == near.panel && pair.face == near.face;
+           });
+  });
   return found;
 }
 
@@ -84,6 +98,14 @@ std::string panel_warning(const PanelCoincidence& pair, bool snaps) {
          "move it";
 }
 
+std::string near_panel_warning(const PanelCoincidence& pair, double size) {
+  return fmt::format(
+      "panel \"{}\" is near to face {} ({:.3g} apart): if it is meant to lie on it, set distance = {:.0e} in "
+      "[coincidence] and "
+      "policy = \"snap\", or write more digits",
+      pair.panel, pair.face->value, pair.distance, 2 * pair.distance / size);
+}
+
 }  // namespace
 
 SurfaceDoubts surface_doubts(const CutMesh& mesh, const MirrorWorld& world, const ReflectionOptions& options) {
@@ -92,6 +114,8 @@ SurfaceDoubts surface_doubts(const CutMesh& mesh, const MirrorWorld& world, cons
   doubts.warped = warped_faces(mesh);
   if (options.coincidence > 0) doubts.faces = find_coincidences(mesh, doubts.distance);
   doubts.panels = coincidences_of_panels(mesh, world);
+  doubts.size = size_of(mesh);
+  if (options.coincidence < near_share) doubts.near_panels = near_panels(mesh, world, doubts.panels);
   return doubts;
 }
 
@@ -101,6 +125,7 @@ std::vector<std::string> warnings_of(const SurfaceDoubts& doubts, bool snaps) {
   for (const PanelCoincidence& pair : doubts.panels) {
     if (pair.distance > 0) warnings.push_back(panel_warning(pair, snaps));
   }
+  for (const PanelCoincidence& pair : doubts.near_panels) warnings.push_back(near_panel_warning(pair, doubts.size));
   return warnings;
 }
 

@@ -22,6 +22,9 @@ struct PanelCoincidence : Coincidence {
   std::string other_panel;
 };
 
+// Panels are looked for that far, to tell somebody who wrote six digits that more or a larger distance are wanted.
+constexpr double near_share = 1e-6;
+
 struct WarpedFaces {
   std::size_t count = 0;         // of faces whose corners are not in one plane, exactly
   double largest_deviation = 0;  // of a corner from the plane that fits its face
@@ -29,9 +32,11 @@ struct WarpedFaces {
 };
 
 struct SurfaceDoubts {
+  double size = 0;      // of the surface
   double distance = 0;  // what is closer counts as on each other, in units of the scene; 0: nothing is looked for
   std::vector<FaceCoincidence> faces;
   std::vector<PanelCoincidence> panels;
+  std::vector<PanelCoincidence> near_panels;  // not so close, but closer than near_share of the surface's size
   WarpedFaces warped;
 };
 

@@ -55,6 +55,13 @@ std::vector<CompareRun> runs_of(const Ground& ground, const peers::FlatScene& fl
 Comparison compared(const CompareOptions& options, Progress& progress) {
   const SceneDescription scene = read_scene(options.input, options.mesh_camera);
   const Camera& camera = options.camera ? camera_named(scene, *options.camera) : scene.cameras.front();
+  if (camera.lens_image) {
+    throw InputError(
+        scene.file, 0,
+        fmt::format("camera \"{}\" has a lens, which other algorithms do not have; choose one without by --camera, "
+                    "or leave out its 'distortion' or 'fisheye'",
+                    camera.name));
+  }
   const Ground ground = ground_of(scene, camera, progress);
   const peers::FlatScene flat = peers::flat_scene(ground.scene);
   Comparison comparison{scene.file,

@@ -202,7 +202,8 @@ std::vector<std::string> warnings_of(const MeshInput& input, const View& view, s
 
 void add_doubts(const View& view, Report& report) {
   const Report::FaceCounts& faces = report.counts.faces;
-  for (const ViewDoubt& doubt : doubts_about_view(view, faces.visible + faces.hidden > 0, faces.back_facing)) {
+  const InView in_view{faces.visible + faces.hidden > 0, report.areas.in_view > 0, faces.back_facing > 0};
+  for (const ViewDoubt& doubt : doubts_about_view(view, in_view)) {
     report.warnings.push_back(doubt.full);
     report.doubts.push_back(doubt.brief);
   }

@@ -147,16 +147,24 @@ ViewDoubt opposite_sign() {
           "(up, in OpenGL and VTK), say so by image_y, else give -P"};
 }
 
+// Backs that do not count have no area in view, wherever they are.
+bool are_backs_in_view(const SeenExtent& extent, const Visibility& view, const InView& in_view) {
+  if (!in_view.any_back) return false;
+  return view.sides.sides == Sides::both ? in_view.area : may_be_in_view(extent, view.scene.camera);
+}
+
 }  // namespace
 
-std::vector<ViewDoubt> doubts_about_view(const Visibility& view, bool any_in_view, std::size_t back_facing) {
+std::vector<ViewDoubt> doubts_about_view(const Visibility& view, const InView& in_view) {
   const Camera& camera = view.scene.camera;
-  if (view.mesh().uncut_facet_count() == 0 || (any_in_view && !camera.matrix_sign)) return {};
+  if (view.mesh().uncut_facet_count() == 0 || (in_view.front && !camera.matrix_sign)) return {};
   const SeenExtent extent = extent_of(view);
   std::vector<ViewDoubt> doubts;
-  if (!any_in_view && back_facing > 0 && may_be_in_view(extent, camera))
+  if (!in_view.front && are_backs_in_view(extent, view, in_view)) {
     doubts.push_back(all_turned_away(extent, view.sides.sides));
-  if (!any_in_view && doubts.empty()) doubts.push_back(nothing_in_view(extent, camera));
+  } else if (!in_view.front && !in_view.area) {
+    doubts.push_back(nothing_in_view(extent, camera));
+  }
   if (!camera.matrix_sign) return doubts;
   if (extent.low.z() < 0 && extent.high.z() > 0) {
     doubts.push_back(both_sides(extent, *camera.matrix_sign));

@@ -1,6 +1,6 @@
 // Doubts about a camera: a view that shows nothing is hardly what its owner meant.
 //
-// In:  a view, and how many of its faces have which label. Out: a line per doubt, which says where the mesh is in the camera's
+// In:  a view, and what of the surface is in view. Out: a line per doubt, which says where the mesh is in the camera's
 //      frame (x right, y up, z along the view; input units) and what the mistake may be:
 //        nothing is in view: the mesh is behind, nearer than near, beyond far, or beside
 //        all faces turn their backs
@@ -20,8 +20,13 @@ struct ViewDoubt {
   std::string full;   // with the numbers, and what to do
 };
 
-// back_facing: how many faces are. any_in_view: whether a face is visible or hidden, that is, in view.
-[[nodiscard]] std::vector<ViewDoubt> doubts_about_view(const Visibility& view, bool any_in_view,
-                                                       std::size_t back_facing);
+// What of the surface is in view.
+struct InView {
+  bool front = false;     // a face is visible or hidden
+  bool area = false;      // a face that counts (culling.h) has a part in the view volume
+  bool any_back = false;  // a face turns its back, be it out of view
+};
+
+[[nodiscard]] std::vector<ViewDoubt> doubts_about_view(const Visibility& view, const InView& in_view);
 
 }  // namespace sightline::cli

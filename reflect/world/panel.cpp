@@ -46,12 +46,21 @@ std::string text(double number) {
 
 std::string text(const Point3& p) { return "[" + text(p.x()) + ", " + text(p.y()) + ", " + text(p.z()) + "]"; }
 
-[[noreturn]] void refuse_corner(const Panel& panel, std::size_t worst, double share, double distance,
-                                const Point3& foot) {
+// Returns where a corner would be in the plane of the others.
+Point3 place_among_others(const std::vector<Point3>& corners, std::size_t corner) {
+  const double scale = unit_scale(corners);
+  std::vector<Point3> others = scaled(corners, scale);
+  others.erase(others.begin() + static_cast<std::ptrdiff_t>(corner));
+  return fitted_plane(others).foot(scale * corners[corner]) / scale;
+}
+
+[[noreturn]] void refuse_corner(const Panel& panel, std::size_t worst, double share, double distance) {
   const auto rounded = [](double number) { return text(static_cast<double>(static_cast<float>(number))); };
-  refuse(panel, "its corners are not in one plane: corner " + std::to_string(worst + 1) + " is " + rounded(distance) +
-                    " off it, " + rounded(share) + " of the panel's size; write " + text(foot) +
-                    " there, or a larger planarity than " + text(panel.planarity));
+  refuse(panel, "its corners are not in one plane: corner " + std::to_string(worst + 1) + " of " +
+                    std::to_string(panel.corners.size()) + " is " + rounded(distance) +
+                    " off the plane that fits them, " + rounded(share) + " of the panel's size; write " +
+                    text(place_among_others(panel.corners, worst)) + " there, or a larger planarity than " +
+                    text(panel.planarity));
 }
 
 }  // namespace
@@ -71,9 +80,7 @@ FittedPanel fitted_panel(const Panel& panel) {
   FittedPanel fitted{{}, deviation / scale};
   for (const Point3& corner : corners) fitted.corners.push_back(plane.foot(corner) / scale);
   if (deviation <= panel.planarity * size) return fitted;
-  const std::ptrdiff_t index = worst - corners.begin();
-  refuse_corner(panel, static_cast<std::size_t>(index), deviation / size, fitted.deviation,
-                fitted.corners[static_cast<std::size_t>(index)]);
+  refuse_corner(panel, static_cast<std::size_t>(worst - corners.begin()), deviation / size, fitted.deviation);
 }
 
 Mesh panel_mesh(const Panel& panel) {

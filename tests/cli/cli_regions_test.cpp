@@ -314,7 +314,8 @@ TEST_CASE("a name that no region has is refused with those that there are; so ar
   CHECK(made.exit_code == 1);
   CHECK(
       made.err.ends_with("whole.toml:4: 'mirrors_material': no material is so; there are \"chrome\" (illum 3, Ks 0.9 "
-                         "0.9 0.9), \"clay\" (illum 1, Ks 0.1 0.1 0.1)\n"));
+                         "0.9 0.9), \"clay\" (illum 1, Ks 0.1 0.1 0.1); look whether the file that mtllib names is "
+                         "beside the mesh\n"));
   std::string many = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
   for (int i = 0; i < 15; ++i) many += "o part" + std::to_string(i) + "\nf 1 2 3\n";
   static_cast<void>(scenes.file("many.obj", many));

@@ -27,13 +27,13 @@ Mesh square_at(const std::vector<double>& heights) {
 
 std::vector<ViewDoubt> doubts(const Mesh& mesh, const Camera& camera, SidesPolicy sides = SidesPolicy::both) {
   const View view = Analyzer(mesh, {.sides = sides}).view(camera);
-  bool any = false;
-  std::size_t back_facing = 0;
+  InView in_view;
   for (const LabelledTriangle& triangle : view.labelled.triangles) {
-    any = any || triangle.label == Label::visible || triangle.label == Label::hidden;
-    if (triangle.label == Label::back_facing) ++back_facing;
+    in_view.front = in_view.front || triangle.label == Label::visible || triangle.label == Label::hidden;
+    in_view.area = in_view.area || in_view.front || triangle.seen;
+    in_view.any_back = in_view.any_back || triangle.label == Label::back_facing;
   }
-  return doubts_about_view(view, any, back_facing);
+  return doubts_about_view(view, in_view);
 }
 
 void check_doubt(const std::vector<ViewDoubt>& found, const std::string& brief, const std::string& full) {
@@ -68,6 +68,17 @@ TEST_CASE("where the mesh is, is said of every view of nothing, and of no other"
   check_doubt(doubts(mesh, from({0, -9, 8}, {0, -9, 0})), "above the view", "");
   check_doubt(doubts(mesh, from({0, 9, 8}, {0, 9, 0})), "below the view", "");
   check_doubt(doubts(mesh, from({0, 0, 0.5}, {9, 0, 0.5})), "beside the view", "from (-0.5, -1, -1) to (-0.5, 1, 1)");
+}
+
+// One is far left of the view, the other one far right.
+TEST_CASE("backs that are beside the view are not in it") {
+  const Mesh mesh = build_mesh({{50, -1, 0}, {51, -1, 0}, {51, 1, 0}, {-50, -1, 0}, {-51, -1, 0}, {-51, 1, 0}}, [] {
+    PolygonList faces;
+    faces.push_back(std::array{VertexId(2), VertexId(1), VertexId(0)});
+    faces.push_back(std::array{VertexId(3), VertexId(4), VertexId(5)});
+    return faces;
+  }());
+  check_doubt(doubts(mesh, from({0, 0, 5}, {0, 0, 0})), "the mesh is beside the view", "nothing is in view");
 }
 
 TEST_CASE("faces that all turn their backs are said to do so") {
