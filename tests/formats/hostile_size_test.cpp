@@ -8,6 +8,7 @@
 
 #include "tests/tools/long_file.h"
 #include "tests/tools/running_command.h"
+#include "tests/tools/says_what_to_do.h"
 
 namespace sightline::tests::hostile_size_test {
 
@@ -45,6 +46,7 @@ void check_refused(const Outcome& outcome, const std::string& start, const std::
   CHECK(std::ranges::count(outcome.err, '\n') == 1);
   CHECK(outcome.err.starts_with("sightline: " + start));
   CHECK(outcome.err.find(part) != std::string::npos);
+  CHECK(says_what_to_do(outcome.err));
 }
 
 }  // namespace
