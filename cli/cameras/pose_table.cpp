@@ -110,8 +110,8 @@ class PoseTableReader {
       require_all({"tx", "ty", "tz", "qw", "qx", "qy", "qz"});
       if (!request_->direction || !request_->axes) {
         fail_head(
-            "quaternions can mean several things; say in [[cameras]] which, with pose = \"camera_to_world\" or "
-            "\"world_to_camera\", and axes = \"opencv\" or \"opengl\"");
+            "quaternions can mean several things; say in [[cameras]] what they mean, with "
+            "pose = \"camera_to_world\" or \"world_to_camera\", and axes = \"opencv\" or \"opengl\"");
       }
     } else {
       require_all({"eye_x", "eye_y", "eye_z", "target_x", "target_y", "target_z"});

@@ -195,8 +195,8 @@ Matrix34 projection_of(const std::string& name, const Matrix3& k, const Matrix34
           image.y == ImageY::down
               ? "K has no positive determinant; give it a positive diagonal, or, where the image's y points up, "
                 "write image_y = \"up\""
-              : "K has no negative determinant; give it, where the image's y points up, a diagonal whose second entry "
-                "alone is negative");
+              : "K has no negative determinant, which an image whose y points up needs; choose signs so that only the "
+                "second entry of K's diagonal is negative");
   return p;
 }
 

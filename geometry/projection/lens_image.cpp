@@ -170,7 +170,7 @@ LensImage make_lens_image(const std::string& camera, const Eigen::Matrix3d& k, c
       "a camera with a lens needs another K; write [[fx, s, cx], [0, fy, cy], [0, 0, 1]] with positive fx and fy");
   require_lens(
       frame_tolerance > 0 && frame_tolerance <= std::min(width, height) / 8, camera,
-      "the frame's tolerance is not above 0 and at most an eighth of the image; give 0.01 pixels, as is usual");
+      "the frame's tolerance is not above 0 and at most an eighth of the image; choose another, 0.01 pixels is usual");
   LensImage image;
   image.lens = lens;
   image.k = k;

@@ -98,7 +98,7 @@ TEST_CASE("a file of 1 GiB of nothing, and devices that never end, are refused")
   check_cost(zeros, 100 * mebibyte, 2);
   std::filesystem::create_symlink("/dev/zero", folder.path() / "zero.toml");
   const Outcome scene = run_to_end({"analyze", (folder.path() / "zero.toml").string(), "--json"});
-  check_refused(scene, (folder.path() / "zero.toml").string() + ": ", "at most 67108864 bytes");
+  check_refused(scene, (folder.path() / "zero.toml").string() + ": ", "more than 67108864 bytes");
   check_cost(scene, 300 * mebibyte, 2);
 }
 

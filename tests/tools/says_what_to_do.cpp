@@ -12,7 +12,7 @@ constexpr auto remedies = std::to_array<std::string_view>(
     {"add",  "build",  "calibrate", "change", "check",   "choose",    "close",   "copy",   "correct",
      "crop", "direct", "divide",    "draw",   "export",  "give",      "install", "leave",  "list",
      "make", "move",   "name",      "pass",   "project", "raise",     "remove",  "report", "save",
-     "say",  "see",    "set",       "take",   "turn",    "undistort", "use",     "write"});
+     "say",  "see",    "set",       "take",   "turn",    "undistort", "unpack",  "use",    "write"});
 
 }  // namespace
 
@@ -23,7 +23,7 @@ bool says_what_to_do(std::string_view message) {
   const std::size_t end = message.rfind("; ");
   if (end == std::string_view::npos) return false;
   const std::string_view remedy = message.substr(end + 2);
-  return std::ranges::find(remedies, remedy.substr(0, remedy.find_first_of(" ,\n"))) != remedies.end();
+  return std::ranges::find(remedies, remedy.substr(0, remedy.find_first_of(" ,:\n"))) != remedies.end();
 }
 
 }  // namespace sightline::tests
