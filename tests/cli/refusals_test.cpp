@@ -78,7 +78,9 @@ std::size_t check_refusals(const std::string& code, const std::string& file, std
     if (!has_cause(statement, from)) continue;
     ++count;
     const std::string message = message_in(statement, from);
-    if (!says_what_to_do(message)) silent.push_back(file + ":" + std::to_string(statement.line) + ": " + message);
+    if (says_what_to_do(message)) continue;
+    silent.push_back(file);
+    silent.back().append(":").append(std::to_string(statement.line)).append(": ").append(message);
   }
   return count;
 }
