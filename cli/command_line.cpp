@@ -41,7 +41,8 @@ void declare_commands(CLI::App& app, OptionTexts& texts) {
 
 std::string completion_for(const CLI::App& app, const std::string& name) {
   const auto shell = shell_named(name);
-  if (!shell) throw CommandLineError(fmt::format("completion: '{}' is not bash, zsh or fish", name));
+  if (!shell)
+    throw CommandLineError(fmt::format("completion: '{}' is not bash, zsh or fish; choose one of them", name));
   return completion_script(app, *shell);
 }
 

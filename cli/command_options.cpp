@@ -29,7 +29,7 @@ std::optional<std::string> given(const std::string& text) {
 std::optional<SidesPolicy> parsed_sides(const std::string& text) {
   if (text.empty()) return std::nullopt;
   const auto sides = sides_policy(text);
-  if (!sides) throw CommandLineError(fmt::format("--sides: '{}' is not auto, front or both", text));
+  if (!sides) throw CommandLineError(fmt::format("--sides: '{}' is not auto, front or both; choose one of them", text));
   return sides;
 }
 
@@ -40,7 +40,8 @@ std::vector<std::string> parsed_peers(const std::string& text) {
   std::vector<std::string> wanted;
   for (const std::string_view name : split(text, ',')) {
     if (std::find(known.begin(), known.end(), name) == known.end())
-      throw CommandLineError(fmt::format("--peers: there is no '{}'; there are {}", name, fmt::join(known, ", ")));
+      throw CommandLineError(
+          fmt::format("--peers: there is no '{}'; there are {}; choose from them", name, fmt::join(known, ", ")));
     wanted.emplace_back(name);
   }
   return wanted;
@@ -60,16 +61,20 @@ std::vector<int> parsed_resolutions(const std::string& text) {
 double parsed_time_limit(const std::string& text) {
   if (text.empty()) return default_time_limit;
   const double seconds = parsed_number(text, "--time-limit");
-  if (seconds <= 0) throw CommandLineError(fmt::format("--time-limit: '{}' is not more than 0", text));
+  if (seconds <= 0)
+    throw CommandLineError(fmt::format("--time-limit: '{}' is not more than 0; give more seconds", text));
   return seconds;
 }
 
 std::uint64_t memory_limit(const std::string& text) {
   if (text.empty()) return default_memory_limit();
   const auto bytes = parse_bytes(text);
-  if (!bytes) throw CommandLineError(fmt::format("--max-memory: '{}' is not a number of bytes, like 800M or 4G", text));
+  if (!bytes)
+    throw CommandLineError(
+        fmt::format("--max-memory: '{}' is not a number of bytes; write one, like 800M or 4G", text));
   if (*bytes < smallest_memory_limit)
-    throw CommandLineError(fmt::format("--max-memory: {} is less than {}", text, bytes_text(smallest_memory_limit)));
+    throw CommandLineError(
+        fmt::format("--max-memory: {} is less than {}; give at least that", text, bytes_text(smallest_memory_limit)));
   return *bytes;
 }
 
@@ -99,14 +104,15 @@ void declare_results(CLI::App& analyze, AnalyzeTexts& texts) {
 
 void require_place_for_results(const AnalyzeTexts& texts) {
   if (!texts.output.empty()) return;
-  if (!texts.json) throw CommandLineError("give -o DIR for the results, or --json for the report alone");
-  if (texts.report_page) throw CommandLineError("--report needs -o DIR: report.html goes there");
+  if (!texts.json)
+    throw CommandLineError("the results have no place; give -o DIR for them, or --json for the report alone");
+  if (texts.report_page) throw CommandLineError("--report needs -o DIR, where report.html goes; give it, too");
 }
 
 Engine engine_of(const AnalyzeTexts& texts) {
   if (texts.engine.empty() || texts.engine == "fast") return Engine::fast;
   if (texts.engine == "full") return Engine::full;
-  throw CommandLineError(fmt::format("--engine: '{}' is not fast or full", texts.engine));
+  throw CommandLineError(fmt::format("--engine: '{}' is not fast or full; choose one of them", texts.engine));
 }
 
 std::size_t threads_of(const AnalyzeTexts& texts) {
@@ -120,25 +126,29 @@ void require_family(const std::string& name) {
   if (name.empty() || std::any_of(all.begin(), all.end(), has_name)) return;
   std::string names;
   for (const ExtremeFamily& family : all) names += (names.empty() ? "" : ", ") + family.name;
-  throw CommandLineError(fmt::format("--family: there is no '{}'; there are {}", name, names));
+  throw CommandLineError(fmt::format("--family: there is no '{}'; there are {}; choose one", name, names));
 }
 
 void require_example(const std::string& name) {
   if (name.empty() || trace_example_named(name) != nullptr) return;
-  throw CommandLineError(fmt::format("--example: there is no '{}'; sightline trace --list names them", name));
+  throw CommandLineError(
+      fmt::format("--example: there is no '{}'; choose one that sightline trace --list names", name));
 }
 
 void require_consistent(const TraceTexts& texts) {
   if (texts.list) return;
   if (texts.input.empty() == texts.example.empty())
-    throw CommandLineError("trace: give a scene file, or --example NAME (--list names them), and not both");
+    throw CommandLineError(
+        "trace: one scene is needed; give a scene file, or --example NAME (--list names them), and not both");
   if (!texts.input.empty() && !is_scene_file(texts.input))
     throw CommandLineError(
-        fmt::format("trace: '{}' is not a scene file (.toml); a mesh needs one around it", texts.input));
+        fmt::format("trace: '{}' is not a scene file (.toml); write one around a mesh", texts.input));
   if (texts.output.empty() && texts.log.empty())
-    throw CommandLineError("trace: give -o FILE for the page, --log FILE for the log, or both");
+    throw CommandLineError(
+        "trace: nothing is to be written; give -o FILE for the page, --log FILE for the log, or both");
   if (!texts.example.empty() && !(texts.camera.empty() && texts.sides.empty()))
-    throw CommandLineError("trace: --camera and --sides go with a scene file; an example has its own");
+    throw CommandLineError(
+        "trace: --camera and --sides go with a scene file, and an example has its own; leave them out");
 }
 
 }  // namespace
@@ -201,7 +211,8 @@ CompareOptions options_of(const CompareTexts& texts) {
   options.output = texts.output;
   options.mesh_camera = camera_of(texts.input, texts.mesh_camera);
   options.camera = given(texts.camera);
-  if (options.camera && options.mesh_camera) throw CommandLineError("--camera goes with a scene file");
+  if (options.camera && options.mesh_camera)
+    throw CommandLineError("--camera goes with a scene file; leave it out, or give one");
   options.peers = parsed_peers(texts.peers);
   options.resolutions = parsed_resolutions(texts.resolution);
   options.limit_seconds = parsed_time_limit(texts.time_limit);
@@ -242,7 +253,7 @@ void declare_trace(CLI::App& trace, TraceTexts& texts) {
 Precision traced_precision(const TraceTexts& texts) {
   const Precision precision = parsed_precision(texts.arithmetic, texts.grid_bits);
   if (precision.arithmetic == Arithmetic::unrounded)
-    throw CommandLineError("--arithmetic: a trace shows the sweep on the grid: choose float, double or exact");
+    throw CommandLineError("--arithmetic: a trace shows the sweep on the grid; choose float, double or exact");
   return precision;
 }
 

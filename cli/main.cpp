@@ -31,7 +31,7 @@ struct Command {
 
 void print(const std::string& text) {
   const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
-  if (!written) throw OutputError("standard output cannot be written");
+  if (!written) throw OutputError("standard output cannot be written; direct it elsewhere");
 }
 
 // One line, whatever names and texts from the input are in it.
@@ -44,7 +44,7 @@ ExitCode fail(ExitCode code, std::string message) {
 }
 
 ExitCode fail_internally(const std::exception& error) {
-  return fail(internal_error, std::string("internal error: ") + error.what() + "; please report it with the input");
+  return fail(internal_error, std::string("internal error: ") + error.what() + "; report it with the input");
 }
 
 ExitCode run(int argc, const char* const* argv) {
@@ -58,7 +58,7 @@ ExitCode run(int argc, const char* const* argv) {
   } catch (const Error& error) {
     return fail(input_is_wrong, error.what());
   } catch (const std::bad_alloc&) {
-    return fail(internal_error, "out of memory");
+    return fail(internal_error, "out of memory; close other programs, or take a smaller mesh");
   } catch (const std::exception& error) {
     return fail_internally(error);
   }

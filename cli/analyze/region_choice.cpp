@@ -91,9 +91,9 @@ std::string materials_in(const FaceRegions& regions) {
 FaceMask faces_of(const FaceRegions& regions, const RegionChoice& choice, const std::string& scene_file) {
   for (const std::string& name : choice.names) {
     if (std::ranges::none_of(regions.regions, [&](const Region& region) { return is_called(region, name); }))
-      throw InputError(
-          scene_file, choice.line,
-          fmt::format("'{}': no region is called \"{}\"; {}", choice.key, region_name(name), names_in(regions)));
+      throw InputError(scene_file, choice.line,
+                       fmt::format("'{}': no region is called \"{}\"; {}; correct the name, or leave it out",
+                                   choice.key, region_name(name), names_in(regions)));
   }
   return faces_in(regions, meant_regions(regions, [&](const Region& region) {
                     return std::ranges::any_of(choice.names,
@@ -106,9 +106,10 @@ FaceMask faces_of(const FaceRegions& regions, const MaterialChoice& choice, cons
   if (std::ranges::count(meant, 1) == 0)
     throw InputError(
         scene_file, choice.line,
-        fmt::format("'mirrors_material': no material is so; {}; look whether the file that mtllib names is beside "
-                    "the mesh",
-                    materials_in(regions)));
+        fmt::format(
+            "'mirrors_material': no material is so; {}; change its conditions, or look whether the file that mtllib "
+            "names is beside the mesh",
+            materials_in(regions)));
   return faces_in(regions, meant);
 }
 

@@ -57,8 +57,8 @@ CameraFormat camera_format(std::string_view text) {
 [[noreturn]] void refuse_format(std::string_view text, const std::string& file) {
   if (text.find('\0') != std::string_view::npos) {
     throw InputError(file, 0,
-                     "a binary file, which has no cameras that are read; of a COLMAP model write text (colmap "
-                     "model_converter --output_type TXT)");
+                     "a binary file, which has no cameras that are read; write it as text, a COLMAP model with colmap "
+                     "model_converter --output_type TXT");
   }
   throw InputError(file, 0,
                    "no file of cameras that is known; give OpenCV's YAML, XML or JSON, COLMAP's images.txt, a "

@@ -41,7 +41,8 @@ Vector3 least_along(const Vector3& axis) {
 AxisFrame axis_frame(const Vector3& axis, const std::optional<Vector3>& start, const char* rig) {
   AxisFrame frame;
   frame.along = unit(axis);
-  if (frame.along == Vector3::Zero()) throw CameraError(fmt::format("the axis of the {} has length zero", rig));
+  if (frame.along == Vector3::Zero())
+    throw CameraError(fmt::format("the axis of the {} has length zero; give another", rig));
   const Vector3 towards = unit(start.value_or(least_along(frame.along)));
   frame.second = unit(frame.along.cross(towards));
   if (frame.second == Vector3::Zero())

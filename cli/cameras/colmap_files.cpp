@@ -111,7 +111,7 @@ CameraRecord colmap_image(std::string_view line, std::size_t number, const std::
     throw InputError(file, number,
                      fmt::format("there is no camera {} in {}; add it there", id, printable(cameras_file)));
   if (values[1] == 0 && values[2] == 0 && values[3] == 0 && values[4] == 0)
-    throw InputError(file, number, "the quaternion QW QX QY QZ is zero; no rotation is");
+    throw InputError(file, number, "the quaternion QW QX QY QZ is zero, which is no rotation; correct it");
   CameraRecord record;
   record.name = without_blanks_around(line);
   record.line = number;

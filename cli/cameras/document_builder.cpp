@@ -32,7 +32,8 @@ void DocumentBuilder::count(std::size_t line) {
 void DocumentBuilder::begin(DocumentNode::Kind kind, std::size_t line) {
   count(line);
   if (open_.size() >= deepest)
-    throw InputError(*file_, line, fmt::format("more than {} levels; no camera file is so deep", deepest));
+    throw InputError(*file_, line,
+                     fmt::format("more than {} levels, and no camera file is so deep; export it again", deepest));
   open_.emplace_back();
   open_.back().node.kind = kind;
   open_.back().node.line = line;
@@ -78,10 +79,10 @@ void DocumentBuilder::add(DocumentNode node) {
 }
 
 DocumentNode DocumentBuilder::finished() {
-  if (roots_.empty()) throw InputError(*file_, 0, "the file is empty; no camera is in it");
+  if (roots_.empty()) throw InputError(*file_, 0, "the file is empty; name one with cameras");
   if (roots_.size() > 1) throw InputError(*file_, roots_[1].line, "a second document begins here; divide the file");
   if (roots_[0].kind != DocumentNode::Kind::table)
-    throw InputError(*file_, roots_[0].line, "the file is no table of keys and values; no camera is in it");
+    throw InputError(*file_, roots_[0].line, "the file is no table of keys and values; name one with cameras");
   return std::move(roots_[0]);
 }
 

@@ -31,9 +31,8 @@ class OpencvReader {
     if (has({"cameramatrix1", "m1"})) return stereo();
     if (has({"cameramatrix", "k", "mtx", "intrinsicmatrix"})) return single();
     if (has({"p1"}) && has({"p2"})) return rectified();
-    throw InputError(
-        *file_, 0,
-        "there is no camera_matrix, nor cameraMatrix1 and 2, nor P1 and P2; is this a file of a calibration?");
+    throw InputError(*file_, 0,
+                     "there is no camera_matrix, nor cameraMatrix1 and 2, nor P1 and P2; name a file of a calibration");
   }
 
  private:
@@ -116,14 +115,14 @@ class OpencvReader {
     Lens lens;
     lens.model = lens_model();
     if (lens.model == LensModel::fisheye) {
-      if (k.size() != 4) fail(member, fmt::format("has {} numbers; a fisheye has four: k1 k2 k3 k4", k.size()));
+      if (k.size() != 4) fail(member, fmt::format("has {} numbers; give the four of a fisheye: k1 k2 k3 k4", k.size()));
       std::ranges::copy(k, lens.radial.begin());
       return lens;
     }
     for (const std::size_t count : {4U, 5U, 8U, 12U, 14U}) {
       if (k.size() == count) return brown(k, member);
     }
-    fail(member, fmt::format("has {} numbers; OpenCV has 4, 5, 8, 12 or 14: k1 k2 p1 p2 k3 k4 k5 k6 ...", k.size()));
+    fail(member, fmt::format("has {} numbers; give 4, 5, 8, 12 or 14: k1 k2 p1 p2 k3 k4 k5 k6 ...", k.size()));
   }
   [[nodiscard]] Lens brown(const std::vector<double>& k, const DocumentMember& member) const {
     for (std::size_t i = 8; i < k.size(); ++i) {
@@ -207,7 +206,7 @@ class OpencvReader {
     record.line = member.value.line;
     record.image = calibration;
     if (p(0, 0) == 0 || p(1, 1) == 0 || p(2, 2) != 1 || p(2, 3) != 0)
-      fail(member, "is none of a rectified pair; its form is [[f, 0, cx, x], [0, f, cy, y], [0, 0, 1, 0]]");
+      fail(member, "is none of a rectified pair; write it as [[f, 0, cx, x], [0, f, cy, y], [0, 0, 1, 0]]");
     record.place = WorldToCamera{Matrix3::Identity(), {p(0, 3) / p(0, 0), p(1, 3) / p(1, 1), 0}};
     return record;
   }

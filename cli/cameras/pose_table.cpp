@@ -59,9 +59,9 @@ class PoseTableReader {
     columns_ = names.size();
     for (std::size_t i = 0; i < names.size(); ++i) {
       if (std::ranges::find(table_columns, names[i]) == table_columns.end() || names[i].empty()) {
-        fail_head(fmt::format("unknown column '{}'; there can be: {}", printable(names[i]),
-                              "name; eye_x, eye_y, eye_z, target_x, target_y, target_z, up_x, up_y, up_z; "
-                              "tx, ty, tz, qw, qx, qy, qz; fov_y_deg, fov_x_deg, aspect"));
+        fail_head(fmt::format("unknown column '{}'; write one of: {}", printable(names[i]),
+                              "name, eye_x, eye_y, eye_z, target_x, target_y, target_z, up_x, up_y, up_z, "
+                              "tx, ty, tz, qw, qx, qy, qz, fov_y_deg, fov_x_deg, aspect"));
       }
       if (!column_.emplace(names[i], i).second) fail_head(fmt::format("a second column {}; remove it", names[i]));
     }
@@ -110,8 +110,8 @@ class PoseTableReader {
       require_all({"tx", "ty", "tz", "qw", "qx", "qy", "qz"});
       if (!request_->direction || !request_->axes) {
         fail_head(
-            "quaternions: say in [[cameras]] what they mean, with pose = \"camera_to_world\" or \"world_to_camera\", "
-            "and axes = \"opencv\" or \"opengl\"");
+            "quaternions can mean several things; say in [[cameras]] what they mean, with "
+            "pose = \"camera_to_world\" or \"world_to_camera\", and axes = \"opencv\" or \"opengl\"");
       }
     } else {
       require_all({"eye_x", "eye_y", "eye_z", "target_x", "target_y", "target_z"});
@@ -143,7 +143,8 @@ class PoseTableReader {
     const Vector3 t = vector(row, "tx", "ty", "tz");
     const Vector3 q = vector(row, "qx", "qy", "qz");
     const double w = number(row, "qw");
-    if (w == 0 && q == Vector3::Zero()) throw InputError(*file_, row.number, "the quaternion is zero; no rotation is");
+    if (w == 0 && q == Vector3::Zero())
+      throw InputError(*file_, row.number, "the quaternion is zero, which is no rotation; correct it");
     const Matrix3 r = rotation_of_quaternion({w, q.x(), q.y(), q.z()});
     if (request_->direction == PoseDirection::camera_to_world) {
       Matrix34 camera_to_world;
@@ -191,7 +192,7 @@ std::vector<CameraRecord> read_pose_table(std::string_view text, const std::stri
   TextLines lines(text);
   auto line = lines.next();
   while (line && is_passed_over(*line)) line = lines.next();
-  if (!line) throw InputError(file, 0, "the table is empty; its first line names the columns");
+  if (!line) throw InputError(file, 0, "the table is empty; name the columns in its first line");
   const PoseTableReader reader(file, request, *line, lines.number());
   std::vector<CameraRecord> records;
   for (line = lines.next(); line; line = lines.next()) {

@@ -69,7 +69,8 @@ class XmlEvents {
 
   void start(const char* name) {
     if (refusal_) return;
-    if (open_.size() >= deepest) return refuse(fmt::format("more than {} levels; no camera file is so deep", deepest));
+    if (open_.size() >= deepest)
+      return refuse(fmt::format("more than {} levels, and no camera file is so deep; export it again", deepest));
     if (++nodes_ > most_nodes) return refuse(fmt::format("more than {} values; divide the file", most_nodes));
     open_.push_back({name, line(), {}, {}});
   }

@@ -14,7 +14,7 @@ namespace {
 
 Camera camera_for_mesh(const CameraTexts& texts) {
   if (texts.eye.empty() || texts.target.empty() || texts.fov_y.empty()) {
-    throw CommandLineError("a mesh needs a camera: give --eye, --target and --fov-y, or a scene file (.toml)");
+    throw CommandLineError("a mesh needs a camera; give --eye, --target and --fov-y, or a scene file (.toml)");
   }
   ViewPoint view;
   view.eye = parsed_vector(texts.eye, "--eye");
@@ -32,7 +32,8 @@ void refuse_camera(const CameraTexts& texts) {
   for (const std::string* text : {&texts.eye, &texts.target, &texts.up, &texts.fov_y, &texts.aspect}) {
     if (!text->empty()) {
       throw CommandLineError(
-          "--eye, --target, --up, --fov-y and --aspect go with a mesh; a scene file has its own cameras");
+          "--eye, --target, --up, --fov-y and --aspect go with a mesh, and a scene file has its own cameras; leave "
+          "them out");
     }
   }
 }
@@ -65,13 +66,14 @@ const Camera& camera_named(const SceneDescription& scene, const std::string& nam
   const auto has_name = [&name](const Camera& camera) { return camera.name == name; };
   const auto found = std::find_if(scene.cameras.begin(), scene.cameras.end(), has_name);
   if (found == scene.cameras.end())
-    throw CommandLineError(fmt::format("--camera: the scene has no '{}'; it has {}", name, names_of_cameras(scene)));
+    throw CommandLineError(
+        fmt::format("--camera: the scene has no '{}'; it has {}; choose one", name, names_of_cameras(scene)));
   return *found;
 }
 
 const Camera& only_camera(const SceneDescription& scene) {
   if (scene.cameras.size() == 1) return scene.cameras.front();
-  throw CommandLineError("the scene has several cameras: choose one with --camera, of " + names_of_cameras(scene));
+  throw CommandLineError("the scene has several cameras; choose one with --camera, of " + names_of_cameras(scene));
 }
 
 }  // namespace sightline::cli

@@ -12,7 +12,7 @@ double parsed_number(std::string_view text, std::string_view option) {
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) {
-    throw CommandLineError(fmt::format("{}: '{}' is not a number", option, text));
+    throw CommandLineError(fmt::format("{}: '{}' is not a number; write one, like 40 or 0.5", option, text));
   }
   return value;
 }
@@ -20,14 +20,16 @@ double parsed_number(std::string_view text, std::string_view option) {
 int parsed_whole_number(std::string_view text, std::string_view option, int least, int most) {
   const double value = parsed_number(text, option);
   if (value != std::floor(value) || value < least || value > most) {
-    throw CommandLineError(fmt::format("{}: '{}' is not a whole number from {} to {}", option, text, least, most));
+    throw CommandLineError(
+        fmt::format("{}: '{}' is not a whole number from {} to {}; write one", option, text, least, most));
   }
   return static_cast<int>(value);
 }
 
 Vector3 parsed_vector(std::string_view text, std::string_view option) {
   const auto parts = split(text, ',');
-  if (parts.size() != 3) throw CommandLineError(fmt::format("{}: '{}' is not of the form X,Y,Z", option, text));
+  if (parts.size() != 3)
+    throw CommandLineError(fmt::format("{}: '{}' is not of the form X,Y,Z; write three numbers", option, text));
   return {parsed_number(parts[0], option), parsed_number(parts[1], option), parsed_number(parts[2], option)};
 }
 
@@ -36,7 +38,8 @@ Precision parsed_precision(const std::string& arithmetic, const std::string& gri
   if (!arithmetic.empty()) {
     const auto named = arithmetic_named(arithmetic);
     if (!named)
-      throw CommandLineError(fmt::format("--arithmetic: '{}' is not float, double, exact or unrounded", arithmetic));
+      throw CommandLineError(
+          fmt::format("--arithmetic: '{}' is not float, double, exact or unrounded; choose one of them", arithmetic));
     precision.arithmetic = *named;
   }
   if (!grid_bits.empty() && precision.arithmetic == Arithmetic::unrounded)

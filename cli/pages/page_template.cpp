@@ -73,7 +73,7 @@ void append_group(std::string& out, std::string_view bytes) {
 void require_page(PageName page) {
   if (!page_pieces(page).empty()) return;
   throw PageError(
-      "this sightline was built without its pages: install nodejs and npm, and build it again with the network at "
+      "this sightline was built without its pages; install nodejs and npm, and build it again with the network at "
       "hand");
 }
 

@@ -32,7 +32,8 @@ std::string_view only_key_of(const TomlReader& table, std::initializer_list<std:
 std::string group_name(const TomlReader& table, const std::string& name) {
   const std::string whole = (table.has("prefix") ? table.text("prefix") : "") + name;
   if (const auto defect = name_defect(whole))
-    table.fail("prefix", fmt::format("'{}', a camera's name behind the prefix, {}", printable(whole), *defect));
+    table.fail("prefix", fmt::format("'{}', a camera's name behind the prefix, {}; set another prefix",
+                                     printable(whole), *defect));
   return whole;
 }
 
@@ -43,7 +44,7 @@ DepthRange read_depth_range(const TomlReader& table) {
 std::string read_path(const TomlReader& table, std::string_view key, const std::string& scene_file) {
   const std::string name = table.text(key);
   if (name.find('\0') != std::string::npos)
-    table.fail(key, fmt::format("'{}' has a NUL character; no file is called so", key));
+    table.fail(key, fmt::format("'{}' has a NUL character, and no file is called so; remove it", key));
   return (std::filesystem::path(scene_file).parent_path() / name).string();
 }
 
@@ -118,8 +119,8 @@ std::vector<CameraRecord> chosen_records(const TomlReader& table, std::vector<Ca
     if (wanted.erase(record.name) > 0) chosen.push_back(record);
   }
   if (!wanted.empty()) {
-    table.fail("select", fmt::format("the file has no camera '{}'; its first one is '{}'", printable(*wanted.begin()),
-                                     printable(records.front().name)));
+    table.fail("select", fmt::format("the file has no camera '{}'; its first one is '{}'; choose from its own",
+                                     printable(*wanted.begin()), printable(records.front().name)));
   }
   return chosen;
 }

@@ -34,9 +34,10 @@ std::string_view form_of(const TomlReader& table) {
 std::string read_camera_name(const TomlReader& table) {
   const std::string name = table.text("name");
   const auto defect = name_defect(name);
-  if (defect) table.fail("name", "the camera's name " + *defect + "; it becomes the name of a folder");
+  if (defect)
+    table.fail("name", "the camera's name " + *defect + ", and it becomes the name of a folder; choose another");
   if (is_file_beside_folders(name))
-    table.fail("name", "the camera's name is that of a file beside the cameras' folders");
+    table.fail("name", "the camera's name is that of a file beside the cameras' folders; choose another");
   return name;
 }
 
@@ -60,7 +61,8 @@ CameraPose read_camera_pose(const TomlReader& table) {
   const auto axes = read_axes(table);
   if (!axes) {
     table.fail("camera_to_world",
-               "'camera_to_world' needs axes: \"opengl\" (y up, the view along -z) or \"opencv\" (y down, along z)");
+               "'camera_to_world' needs axes; write axes = \"opengl\" (y up, the view along -z) or \"opencv\" (y down, "
+               "along z)");
   }
   return camera_pose(camera_to_world, *axes);
 }
@@ -126,7 +128,7 @@ void read_focal_length(const TomlReader& table, WindowKeys& window) {
 double read_angle(const TomlReader& table, std::string_view key) {
   const double degrees = table.number(key);
   if (!(degrees > 0 && degrees < 180)) {
-    table.fail(fmt::format("the {} field of view is not between 0 and 180 degrees",
+    table.fail(fmt::format("the {} field of view is not between 0 and 180 degrees; give an angle that is",
                            key == "fov_y_deg" ? "vertical" : "horizontal"));
   }
   return tangent_of_half(degrees);
@@ -191,7 +193,7 @@ WindowKeys read_window(const TomlReader& table, std::string_view form) {
     read_focal_length(table, window);
   } else {
     window.aspect = table.optional_number("aspect").value_or(1);
-    if (!(window.aspect > 0)) table.fail("aspect is not a positive number");
+    if (!(window.aspect > 0)) table.fail("aspect is not a positive number; give one");
   }
   if (form == "fov_y_deg") window.height = read_angle(table, form);
   if (form == "fov_x_deg") window.height = read_angle(table, form) / window.aspect;

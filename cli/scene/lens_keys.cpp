@@ -11,11 +11,15 @@ namespace {
 Lens read_brown(const TomlReader& table) {
   const std::vector<double> coefficients = table.numbers("distortion");
   if (const auto lens = brown_lens(coefficients)) return *lens;
-  const char* const remedy =
-      coefficients.size() == 12 || coefficients.size() == 14
-          ? "thin prisms and tilted sensors are not modelled; calibrate without them, to 8 numbers"
-          : "give k1, k2, p1, p2, or these and k3, or these and k4, k5, k6";
-  table.fail("distortion", fmt::format("'distortion' has {} numbers; {}", coefficients.size(), remedy));
+  if (coefficients.size() == 12 || coefficients.size() == 14)
+    table.fail(
+        "distortion",
+        fmt::format("'distortion' has {} numbers; thin prisms and tilted sensors are not modelled; calibrate without "
+                    "them, to 8 numbers",
+                    coefficients.size()));
+  table.fail("distortion",
+             fmt::format("'distortion' has {} numbers; give k1, k2, p1, p2, or these and k3, or these and k4, k5, k6",
+                         coefficients.size()));
 }
 
 Lens read_fisheye(const TomlReader& table) {

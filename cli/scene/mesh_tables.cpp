@@ -54,7 +54,8 @@ SidesPolicy read_sides(const TomlReader& mesh) {
 
 std::string read_file_name(const TomlReader& mesh) {
   std::string name = mesh.text("file");
-  if (name.find('\0') != std::string::npos) mesh.fail("file", "'file' has a NUL character; no file is called so");
+  if (name.find('\0') != std::string::npos)
+    mesh.fail("file", "'file' has a NUL character, and no file is called so; remove it");
   return name;
 }
 

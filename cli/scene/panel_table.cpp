@@ -18,10 +18,11 @@ namespace {
 // A panel's name is a word in column names, group names and property names.
 std::string read_panel_name(const TomlReader& table) {
   const std::string name = table.text("name");
-  if (const auto defect = name_defect(name)) table.fail("name", "the panel's name " + *defect);
+  if (const auto defect = name_defect(name)) table.fail("name", "the panel's name " + *defect + "; choose another");
   const auto is_part_of_word = [](char c) { return c != ' ' && c != ',' && c != ';' && c != '#'; };
   if (!std::ranges::all_of(name, is_part_of_word))
-    table.fail("name", "the panel's name has a space or one of , ; #; it becomes a part of column names");
+    table.fail("name",
+               "the panel's name has a space or one of , ; #, and it becomes a part of column names; choose another");
   return name;
 }
 

@@ -53,14 +53,19 @@ ReflectionOptions read_reflection(const TomlReader& table) {
   options.mode = read_mode(table);
   const auto only_for = [&](const char* key, ReflectionMode mode) {
     if (!table.has(key)) return false;
-    if (options.mode != mode) table.fail(key, fmt::format("'{}' is for mode \"{}\" only", key, to_string(mode)));
+    if (options.mode != mode)
+      table.fail(key,
+                 fmt::format("'{}' is for mode \"{}\" only; leave it out, or set that mode", key, to_string(mode)));
     return true;
   };
   if (only_for("normals", ReflectionMode::triangles)) options.normals = read_normals(table);
   if (only_for("tolerance", ReflectionMode::smooth)) options.tolerance = read_tolerance(table);
   for (const char* key : {"means", "crease_angle_deg"}) {
     if (table.has(key) && !options.needs_vertex_normals())
-      table.fail(key, fmt::format("'{}' is for modes that have vertex normals: \"smooth\" and \"triangles\"", key));
+      table.fail(
+          key, fmt::format(
+                   "'{}' is for modes that have vertex normals: \"smooth\" and \"triangles\"; leave it out, or set one",
+                   key));
   }
   if (table.has("means")) options.means = read_means(table);
   if (table.has("crease_angle_deg")) options.crease_angle_degrees = read_crease_angle(table);

@@ -42,8 +42,9 @@ toml::table parsed(std::string_view text, const std::string& path) {
   try {
     return toml::parse(text, path);
   } catch (const toml::parse_error& error) {
-    throw InputError(path, error.source().begin.line,
-                     fmt::format("not valid TOML: {}", printable(error.description(), longest_description)));
+    throw InputError(
+        path, error.source().begin.line,
+        fmt::format("not valid TOML: {}; correct it", printable(error.description(), longest_description)));
   }
 }
 
@@ -114,7 +115,7 @@ std::vector<Panel> read_panels(const toml::table& root, const std::string& path)
   std::vector<Panel> panels = read_tables<Panel>(*elements, path, "panel", read_panel);
   if (panels.size() <= most_panels) return panels;
   throw InputError(path, elements->get(most_panels)->source().begin.line,
-                   fmt::format("more than {} panels", most_panels));
+                   fmt::format("more than {} panels; leave some out", most_panels));
 }
 
 // Nothing where there is no such table.

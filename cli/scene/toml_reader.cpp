@@ -30,9 +30,9 @@ void TomlReader::allow_only(std::initializer_list<std::string_view> known) const
     if (first == nullptr || key.source().begin < first->source().begin) first = &key;
   }
   if (first == nullptr) return;
-  throw InputError(
-      *file_, first->source().begin.line,
-      fmt::format("unknown key '{}' in {}; it can have: {}", printable(first->str()), name_, joined(known)));
+  throw InputError(*file_, first->source().begin.line,
+                   fmt::format("unknown key '{}' in {}; it can have: {}; correct or remove it", printable(first->str()),
+                               name_, joined(known)));
 }
 
 const toml::node& TomlReader::node(std::string_view key) const {

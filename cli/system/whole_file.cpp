@@ -13,7 +13,7 @@ namespace sightline::cli {
 
 std::string whole_file(const std::string& path, const std::string& what) {
   const auto unreadable = [&](int cause) {
-    return InputError(path, 0, fmt::format("{} cannot be read: {}", what, std::strerror(cause)));
+    return InputError(path, 0, fmt::format("{} cannot be read: {}; name one that can be", what, std::strerror(cause)));
   };
   std::error_code none;
   if (std::filesystem::is_directory(path, none)) throw unreadable(EISDIR);

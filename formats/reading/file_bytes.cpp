@@ -38,12 +38,12 @@ ByteSource put_before(const std::string& head, ByteSource rest) {
 ByteSource bytes_of(const std::filesystem::path& file) {
   std::error_code unused;
   if (std::filesystem::is_directory(file, unused))
-    throw InputError(file.string(), 0, "is a directory, not a file of a mesh");
+    throw InputError(file.string(), 0, "is a directory, not a file of a mesh; name a file in it");
   const auto in = std::make_shared<std::ifstream>(file, std::ios::binary);
-  if (!*in) throw InputError(file.string(), 0, "cannot be opened");
+  if (!*in) throw InputError(file.string(), 0, "cannot be opened; check its name, and whether you may read it");
   return [in, name = file.string()](std::span<char> to) {
     in->read(to.data(), static_cast<std::streamsize>(to.size()));
-    if (in->bad()) throw InputError(name, 0, "cannot be read to its end");
+    if (in->bad()) throw InputError(name, 0, "cannot be read to its end; copy it again");
     return static_cast<std::size_t>(in->gcount());
   };
 }

@@ -124,7 +124,8 @@ std::string_view ObjScanner::token_until_here() {
   const std::string_view token(token_, static_cast<std::size_t>(here_ - token_));
   token_ = nullptr;
   if (token.size() > longest_token) {
-    throw TokenTooLong("a word of more than " + std::to_string(longest_token) + " bytes: " + quoted(token));
+    throw TokenTooLong("a word of more than " + std::to_string(longest_token) + " bytes: " + quoted(token) +
+                       "; export the mesh again");
   }
   return token;
 }

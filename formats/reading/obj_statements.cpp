@@ -83,7 +83,8 @@ ObjStatements StatementParser::parse() {
   }
   if (known_count_ == 0 && result_.unknown_count > 0) {
     throw InputError(file_name_, result_.unknown_line,
-                     "no OBJ file: no statement has an OBJ keyword, the first has " + result_.unknown_keyword);
+                     "no OBJ file: no statement has an OBJ keyword, the first has " + result_.unknown_keyword +
+                         "; name a file of a mesh");
   }
   check_forward_references();
   result_.region_limits = regions_.limits_met();
@@ -158,7 +159,7 @@ double StatementParser::next_coordinate(const char* needed) {
   try {
     return parse_coordinate(token);
   } catch (const std::invalid_argument& error) {
-    fail(error.what());
+    fail(std::string(error.what()) + "; correct it, or export the mesh again");
   }
 }
 
@@ -170,14 +171,15 @@ Vector3 StatementParser::next_coordinates(const char* needed) {
 }
 
 void StatementParser::parse_vertex() {
-  if (result_.vertices.size() == std::numeric_limits<std::uint32_t>::max()) fail("more than 4294967295 vertices");
-  result_.vertices.push_back(next_coordinates("a vertex needs three coordinates"));
+  if (result_.vertices.size() == std::numeric_limits<std::uint32_t>::max())
+    fail("more than 4294967295 vertices; divide the mesh");
+  result_.vertices.push_back(next_coordinates("a vertex needs three coordinates; write them"));
 }
 
 // Where nobody asks for normals, whatever a file says of them is no reason to refuse it.
 void StatementParser::parse_normal() {
   ++normal_count_;
-  if (reads_normals_) normals_.push_back(next_coordinates("a normal needs three coordinates"));
+  if (reads_normals_) normals_.push_back(next_coordinates("a normal needs three coordinates; write them"));
 }
 
 void StatementParser::parse_face() {
@@ -190,7 +192,7 @@ void StatementParser::parse_face() {
   }
   if (attributes_missing_) result_.faces_with_missing_attributes.emplace_back(result_.faces.size());
   if (result_.faces.corners.size() + corners_.size() > std::numeric_limits<std::uint32_t>::max())
-    fail("more than 4294967295 corners");
+    fail("more than 4294967295 corners; divide the mesh");
   result_.faces.push_back(corners_);
   regions_.add_face();
 }
@@ -198,7 +200,7 @@ void StatementParser::parse_face() {
 VertexId StatementParser::parse_corner(std::string_view token) {
   const std::size_t slash = std::min(token.find('/'), token.size());
   const auto index = parse_integer(token.substr(0, slash));
-  if (!index) fail("corner " + quoted(token) + " has no vertex index");
+  if (!index) fail("corner " + quoted(token) + " has no vertex index; write one");
   const Vector3 normal = slash < token.size() ? parse_attributes(token, token.substr(slash + 1)) : Vector3::Zero();
   if (reads_normals_) result_.corner_normals.push_back(normal);
   return resolve(*index, token);
@@ -206,9 +208,9 @@ VertexId StatementParser::parse_corner(std::string_view token) {
 
 VertexId StatementParser::resolve(std::int64_t index, std::string_view token) {
   const auto count = static_cast<std::int64_t>(result_.vertices.size());
-  if (index == 0) fail("corner " + quoted(token) + ": vertices count from 1");
+  if (index == 0) fail("corner " + quoted(token) + ": vertices count from 1; correct it");
   if (index < -count || index > std::numeric_limits<std::uint32_t>::max())
-    fail("corner " + quoted(token) + " names no vertex");
+    fail("corner " + quoted(token) + " names no vertex; correct it");
   if (index > count && (forward_.empty() || index > forward_.back().index))
     forward_.push_back({index, scanner_.line()});
   return VertexId(static_cast<std::size_t>(index < 0 ? count + index : index - 1));
@@ -218,7 +220,7 @@ StatementParser::Attribute StatementParser::attribute(std::string_view token, st
                                                       std::string_view index_text) const {
   if (index_text.empty()) return {};
   const auto index = parse_integer(index_text);
-  if (!index) fail("corner " + quoted(token) + " has an index that is no integer");
+  if (!index) fail("corner " + quoted(token) + " has an index that is no integer; correct it");
   const auto end = static_cast<std::int64_t>(count);
   if (*index == 0 || *index > end || *index < -end) return {true, {}};
   return {false, static_cast<std::size_t>(*index > 0 ? *index - 1 : end + *index)};
@@ -250,7 +252,8 @@ void StatementParser::check_forward_references() const {
   for (const auto& [index, line] : forward_) {
     if (index <= count) continue;
     throw InputError(file_name_, line,
-                     "a corner names vertex " + std::to_string(index) + " of " + std::to_string(count));
+                     "a corner names vertex " + std::to_string(index) + " of " + std::to_string(count) +
+                         "; correct it, or add the vertex");
   }
 }
 

@@ -109,7 +109,8 @@ Point3 placed(const Placement& placement, const Point3& p) {
   const Point3 turned = with_y_up(placement.up_axis, p);
   Point3 result = Point3::Zero();
   for (int i = 0; i < 3; ++i) result(i) = coordinate(placement.matrix.row(i), placement.length, turned);
-  if (!result.allFinite()) throw PlacementError("a placed coordinate is beyond the range of double");
+  if (!result.allFinite())
+    throw PlacementError("a placed coordinate is beyond the range of double; give smaller numbers");
   return result;
 }
 
@@ -117,7 +118,8 @@ void place(const Placement& placement, std::vector<Point3>& vertices, PolygonLis
            std::vector<Vector3>& corner_normals) {
   if (placement.changes_nothing()) return;
   const Sign orientation = placement.orientation();
-  if (orientation == 0) throw PlacementError("the placement is singular: it flattens the mesh");
+  if (orientation == 0)
+    throw PlacementError("the placement is singular: it flattens the mesh; give its first three columns rank 3");
   for (Point3& p : vertices) p = placed(placement, p);
   const Eigen::Matrix3d map = normal_map(placement, orientation);
   for (Vector3& normal : corner_normals) normal = map * with_moderate_exponent(with_y_up(placement.up_axis, normal));

@@ -47,34 +47,36 @@ Vector3 direction(const Point3& a, const Point3& b) {
 }
 
 void check_view_point(const std::string& name, const ViewPoint& view) {
-  require(finite(view.eye), name, "eye is not finite");
-  require(finite(view.target), name, "target is not finite");
-  require(finite(view.direction.value_or(view.target)), name, "the view direction is not finite");
-  require(finite(view.up), name, "up is not finite");
+  require(finite(view.eye), name, "eye is not finite; give finite numbers");
+  require(finite(view.target), name, "target is not finite; give finite numbers");
+  require(finite(view.direction.value_or(view.target)), name, "the view direction is not finite; give finite numbers");
+  require(finite(view.up), name, "up is not finite; give finite numbers");
   if (view.direction) {
-    require(largest_coordinate(*view.direction) > 0, name, "the view direction has length zero");
+    require(largest_coordinate(*view.direction) > 0, name, "the view direction has length zero; give another");
   } else {
-    require(!(view.eye == view.target), name, "eye and target are the same point, which gives no view direction");
+    require(!(view.eye == view.target), name,
+            "eye and target are the same point, which gives no view direction; move one of them");
   }
-  require(largest_coordinate(view.up) > 0, name, "up has length zero");
-  require(std::isfinite(view.aspect) && view.aspect > 0, name, "aspect is not a positive number");
+  require(largest_coordinate(view.up) > 0, name, "up has length zero; give another");
+  require(std::isfinite(view.aspect) && view.aspect > 0, name, "aspect is not a positive number; give one");
 }
 
 void check_distances(const Camera& camera) {
   const auto& near_distance = camera.near_distance;
   const auto& far_distance = camera.far_distance;
-  require(std::isfinite(near_distance.value_or(0)), camera.name, "near is not finite");
-  require(std::isfinite(far_distance.value_or(0)), camera.name, "far is not finite");
-  require(!near_distance || !far_distance || *near_distance < *far_distance, camera.name, "near is not less than far");
+  require(std::isfinite(near_distance.value_or(0)), camera.name, "near is not finite; leave it out");
+  require(std::isfinite(far_distance.value_or(0)), camera.name, "far is not finite; leave it out");
+  require(!near_distance || !far_distance || *near_distance < *far_distance, camera.name,
+          "near is not less than far; move one of them");
 }
 
 // The rows are checked, too: parameters in range can still be so extreme that a row overflows or vanishes.
 Camera checked(Camera camera) {
   check_distances(camera);
   require(finite(camera.right) && finite(camera.up) && finite(camera.origin), camera.name,
-          "its numbers are too large or too small for double arithmetic");
+          "its numbers are too large or too small for double arithmetic; give others");
   require(largest_coordinate(camera.right) > 0 && largest_coordinate(camera.up) > 0, camera.name,
-          "its numbers are too large or too small for double arithmetic");
+          "its numbers are too large or too small for double arithmetic; give others");
   return camera;
 }
 
@@ -151,8 +153,10 @@ Vector3 combined(double a, const Vector3& v, double b, const Vector3& w) {
 }
 
 void check_image(const std::string& name, const PixelImage& image) {
-  require(std::isfinite(image.width) && image.width > 0, name, "the image's width is not a positive number");
-  require(std::isfinite(image.height) && image.height > 0, name, "the image's height is not a positive number");
+  require(std::isfinite(image.width) && image.width > 0, name,
+          "the image's width is not a positive number; give it in pixels");
+  require(std::isfinite(image.height) && image.height > 0, name,
+          "the image's height is not a positive number; give it in pixels");
 }
 
 // The sign of det(P[:, :3]) where the image is not mirrored.
@@ -183,16 +187,16 @@ Camera pixel_camera(std::string name, const Matrix34& p, const Point3& origin, c
 // Returns K [R | t].
 Matrix34 projection_of(const std::string& name, const Matrix3& k, const Matrix34& pose, const PixelImage& image) {
   check_image(name, image);
-  require(finite(k) && finite(pose), name, "K, R or t has an entry that is not finite");
+  require(finite(k) && finite(pose), name, "K, R or t has an entry that is not finite; give finite numbers");
   require_rotation(name, pose.leftCols<3>());
   const Matrix34 p = k * pose;
-  require(finite(p), name, "K [R | t] is not finite");
+  require(finite(p), name, "K [R | t] is not finite; give smaller numbers");
   require(handedness(p) * sign_of_y(image) > 0, name,
           image.y == ImageY::down
-              ? "K has no positive determinant; K needs a positive diagonal, or, where the image's y points up, "
-                "image_y = \"up\""
-              : "K has no negative determinant; where the image's y points up the second entry of K's diagonal is "
-                "negative, the others are positive");
+              ? "K has no positive determinant; give it a positive diagonal, or, where the image's y points up, "
+                "write image_y = \"up\""
+              : "K has no negative determinant, which an image whose y points up needs; choose signs so that only the "
+                "second entry of K's diagonal is negative");
   return p;
 }
 
@@ -207,13 +211,14 @@ double tangent_of_half(double degrees) {
 Camera perspective_camera(std::string name, const ViewPoint& view, double fov_y_degrees) {
   check_view_point(name, view);
   require(fov_y_degrees > 0 && fov_y_degrees < 180, name,
-          "the vertical field of view is not between 0 and 180 degrees");
+          "the vertical field of view is not between 0 and 180 degrees; give an angle that is");
   return pinhole_camera(std::move(name), view, tangent_of_half(fov_y_degrees));
 }
 
 Camera pinhole_camera(std::string name, const ViewPoint& view, double half_height) {
   check_view_point(name, view);
-  require(std::isfinite(half_height) && half_height > 0, name, "the window's height is not a positive number");
+  require(std::isfinite(half_height) && half_height > 0, name,
+          "the window's height is not a positive number; give one");
   Camera camera = looking_camera(std::move(name), view, half_height);
   camera.eye = {view.eye, 1};
   return checked(std::move(camera));
@@ -221,7 +226,7 @@ Camera pinhole_camera(std::string name, const ViewPoint& view, double half_heigh
 
 Camera orthographic_camera(std::string name, const ViewPoint& view, double height) {
   check_view_point(name, view);
-  require(std::isfinite(height) && height > 0, name, "the orthographic height is not a positive number");
+  require(std::isfinite(height) && height > 0, name, "the orthographic height is not a positive number; give one");
   Camera camera = looking_camera(std::move(name), view, height / 2);
   camera.projection = Projection::orthographic;
   // This is not the unit vector: that is rounded, and a face along the given direction would no longer be seen edge-on.
@@ -230,7 +235,7 @@ Camera orthographic_camera(std::string name, const ViewPoint& view, double heigh
 }
 
 Camera shifted(Camera camera, const std::array<double, 2>& shift) {
-  require(std::isfinite(shift[0]) && std::isfinite(shift[1]), camera.name, "shift is not finite");
+  require(std::isfinite(shift[0]) && std::isfinite(shift[1]), camera.name, "shift is not finite; give finite numbers");
   if (camera.projection == Projection::perspective) {
     camera.right = combined(-2 * shift[0], camera.forward, 1, camera.right).array() + 0.0;
     camera.up = combined(-2 * shift[1], camera.forward, 1, camera.up).array() + 0.0;
@@ -242,7 +247,7 @@ Camera shifted(Camera camera, const std::array<double, 2>& shift) {
 }
 
 void require_rotation(const std::string& name, const Matrix3& r) {
-  require(finite(r), name, "R has an entry that is not finite");
+  require(finite(r), name, "R has an entry that is not finite; give finite numbers");
   const double defect = (r * r.transpose() - Matrix3::Identity()).cwiseAbs().maxCoeff();
   if (!(defect <= rotation_tolerance)) {
     std::ostringstream size;
@@ -256,7 +261,7 @@ void require_rotation(const std::string& name, const Matrix3& r) {
 
 Camera projection_matrix_camera(std::string name, const Matrix34& p, const PixelImage& image) {
   check_image(name, image);
-  require(finite(p), name, "P has an entry that is not finite");
+  require(finite(p), name, "P has an entry that is not finite; give finite numbers");
   if (is_affine(p)) {
     require(!image.near_distance && !image.far_distance, name,
             "P is affine, so that no place on its parallel rays is the eye; leave out near and far");
@@ -277,7 +282,7 @@ Camera projection_matrix_camera(std::string name, const Matrix34& p, const Pixel
 
 Camera calibrated_camera(std::string name, const Matrix3& k, const Matrix3& r, const Vector3& t,
                          const PixelImage& image) {
-  require(finite(t), name, "K, R or t has an entry that is not finite");
+  require(finite(t), name, "K, R or t has an entry that is not finite; give finite numbers");
   Matrix34 pose;
   pose << r, t;
   const Matrix34 p = projection_of(name, k, pose, image);
@@ -294,7 +299,7 @@ CameraPose camera_pose(const Matrix34& camera_to_world, CameraAxes axes) {
 }
 
 Camera posed_camera(std::string name, const Matrix3& k, const CameraPose& pose, const PixelImage& image) {
-  require(finite(pose.eye), name, "the eye is not finite");
+  require(finite(pose.eye), name, "the eye is not finite; give finite numbers");
   Matrix34 turned;
   turned << pose.rotation, Vector3::Zero();
   const Matrix34 p = projection_of(name, k, turned, image);
@@ -317,7 +322,7 @@ template <class Make>
 Camera behind_lens(const std::string& name, const Matrix3& k, const PixelImage& image, const Lens& lens,
                    double frame_tolerance, Make make) {
   check_image(name, image);
-  require(finite(k), name, "K has an entry that is not finite");
+  require(finite(k), name, "K has an entry that is not finite; give finite numbers");
   const double first = image.origin == PixelOrigin::center ? -0.5 : 0;
   Matrix3 in_window = with_y_down(k, image);
   LensImage bent = make_lens_image(name, in_window, lens, first, image.width, image.height, frame_tolerance);

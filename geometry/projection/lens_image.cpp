@@ -165,10 +165,12 @@ LensImage make_lens_image(const std::string& camera, const Eigen::Matrix3d& k, c
   const auto is_finite = [](double c) { return std::isfinite(c); };
   require_lens(std::ranges::all_of(lens.radial, is_finite) && std::ranges::all_of(lens.tangential, is_finite), camera,
                "a coefficient of the lens is not finite; give the numbers of the calibration");
-  require_lens(k(2, 0) == 0 && k(2, 1) == 0 && k(2, 2) == 1 && k(1, 0) == 0 && k(0, 0) > 0 && k(1, 1) > 0, camera,
-               "a camera with a lens needs K = [[fx, s, cx], [0, fy, cy], [0, 0, 1]] with positive fx and fy");
-  require_lens(frame_tolerance > 0 && frame_tolerance <= std::min(width, height) / 8, camera,
-               "the frame's tolerance is not above 0 and at most an eighth of the image; 0.01 pixels is usual");
+  require_lens(
+      k(2, 0) == 0 && k(2, 1) == 0 && k(2, 2) == 1 && k(1, 0) == 0 && k(0, 0) > 0 && k(1, 1) > 0, camera,
+      "a camera with a lens needs another K; write [[fx, s, cx], [0, fy, cy], [0, 0, 1]] with positive fx and fy");
+  require_lens(
+      frame_tolerance > 0 && frame_tolerance <= std::min(width, height) / 8, camera,
+      "the frame's tolerance is not above 0 and at most an eighth of the image; choose another, 0.01 pixels is usual");
   LensImage image;
   image.lens = lens;
   image.k = k;

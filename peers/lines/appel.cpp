@@ -147,7 +147,8 @@ void refuse_cuts_by_bounds(const FlatScene& scene) {
   for (const FlatPolygon& polygon : scene.polygons) {
     for (const VertexId v : scene.mesh->corners(polygon.facet)) {
       if (is_within_bounds(scene.projected->camera, scene.mesh->position(v))) continue;
-      throw RefusedScene("the camera's near or far bound cuts faces open, and such a cut is no edge of the mesh");
+      throw RefusedScene(
+          "the camera's near or far bound cuts faces open, and such a cut is no edge of the mesh; leave them out");
     }
   }
 }

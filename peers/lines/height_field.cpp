@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <string>
 
 #include "geometry/projection/camera_forms.h"
 #include "peers/lines/height_grid.h"
@@ -82,10 +83,10 @@ std::vector<std::vector<std::array<VertexId, 2>>> joins_of(const CutMesh& mesh,
 
 void refuse_what_is_left_out(const ProjectedScene& scene) {
   if (scene.camera.near_distance || scene.camera.far_distance) {
-    throw RefusedScene("the camera has a near or far bound, which may cut the height field open");
+    throw RefusedScene("the camera has a near or far bound, which may cut the height field open; leave it out");
   }
   if (scene.sides_shown != Sides::both) {
-    throw RefusedScene("only front sides count here, and a height field hides with both");
+    throw RefusedScene("only front sides count here, and a height field hides with both; set sides to both");
   }
 }
 
@@ -104,7 +105,7 @@ HeightField height_field(const FlatScene& scene) {
     field.joins = joins_of(mesh, field.polylines);
     return field;
   }
-  throw RefusedScene(reason);
+  throw RefusedScene(std::string(reason) + "; take another peer");
 }
 
 }  // namespace sightline::peers

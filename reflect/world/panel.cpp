@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <string>
 
 #include "geometry/faces/face_shape.h"
 #include "geometry/faces/fitted_plane.h"
@@ -87,7 +88,9 @@ Mesh panel_mesh(const Panel& panel) {
   PolygonList faces;
   faces.push_back(all_corners(panel.corners.size()));
   Mesh mesh = build_mesh(fitted_panel(panel).corners, std::move(faces));
-  if (!mesh.defects.empty()) refuse(panel, to_string(mesh.defects.front().defect));
+  if (!mesh.defects.empty())
+    refuse(panel, std::string(to_string(mesh.defects.front().defect)) +
+                      "; give at least three corners, in order, that bound an area");
   return mesh;
 }
 

@@ -8,6 +8,7 @@
 
 #include "tests/tools/command_case.h"
 #include "tests/tools/running_command.h"
+#include "tests/tools/says_what_to_do.h"
 
 namespace sightline::tests::bad_scene_test {
 
@@ -100,6 +101,7 @@ void check_refused(const Folder& folder, const Outcome& outcome, const std::stri
   CHECK(outcome.exit_code == 1);
   CHECK(outcome.out.empty());
   CHECK(is_error_line(outcome.err, start));
+  CHECK(says_what_to_do(outcome.err));
   CHECK(outcome.err.find(says) != std::string::npos);
   CHECK_FALSE(fs::exists(folder.path() / "out"));
 }

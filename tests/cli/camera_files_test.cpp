@@ -12,6 +12,7 @@
 #include "cli/scene/result_names.h"
 #include "geometry/numbers/errors.h"
 #include "tests/tools/command_runner.h"
+#include "tests/tools/says_what_to_do.h"
 #include "tests/tools/scene_texts.h"
 
 namespace sightline::tests::camera_files_test {
@@ -43,6 +44,7 @@ void check_refused(const std::string& text, std::size_t line, const std::string&
     CHECK(std::ranges::none_of(what, [](char c) { return static_cast<unsigned char>(c) < 0x20; }));
     CHECK(what.find(says) != std::string::npos);
     CHECK(what.size() < 500);
+    CHECK(says_what_to_do(what));
   }
 }
 

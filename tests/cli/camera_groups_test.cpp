@@ -6,6 +6,7 @@
 #include <set>
 
 #include "geometry/numbers/errors.h"
+#include "tests/tools/says_what_to_do.h"
 #include "tests/tools/scene_texts.h"
 
 namespace sightline::tests::camera_groups_test {
@@ -28,6 +29,7 @@ void check_refused(const std::string& text, std::size_t line, const std::string&
     INFO(what);
     CHECK(error.line() == line);
     CHECK(what.find(says) != std::string::npos);
+    CHECK(says_what_to_do(what));
   }
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cli/command_line.h"
+#include "tests/tools/says_what_to_do.h"
 
 namespace sightline::tests::cli_command_line_test {
 using namespace cli;
@@ -132,6 +133,8 @@ TEST_CASE("a wrong command line is one line that names the option") {
       const std::string what = error.what();
       INFO(what);
       CHECK(what.find(call.second) != std::string::npos);
+      const bool is_of_parser = what.ends_with(" is required") || what.find("not expected") != std::string::npos;
+      CHECK((says_what_to_do(what) || is_of_parser));  // to the parser's the command adds where its help is
       CHECK(what.find('\n') == std::string::npos);
     }
   }

@@ -12,6 +12,7 @@
 #include "cli/compare/comparison.h"
 #include "peers/peer_list.h"
 #include "tests/tools/command_runner.h"
+#include "tests/tools/says_what_to_do.h"
 
 namespace sightline::tests::cli_compare_test {
 using namespace cli;
@@ -69,6 +70,7 @@ std::string error_of(const std::vector<std::string>& options) {
   arguments.insert(arguments.end(), options.begin(), options.end());
   const RunResult run = run_sightline(arguments);
   CHECK(run.out.empty());
+  CHECK(says_what_to_do(run.err));
   return std::to_string(run.exit_code) + " " + run.err;
 }
 

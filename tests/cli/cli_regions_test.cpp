@@ -308,19 +308,20 @@ TEST_CASE("a name that no region has is refused with those that there are; so ar
   CHECK(run.exit_code == 1);
   CHECK(
       run.err.ends_with("whole.toml:4: 'ignore': no region is called \"rigth\"; there are \"left\", \"right\", "
-                        "\"floor\", \"boxes\", \"small\", \"chrome\", \"clay\"\n"));
+                        "\"floor\", \"boxes\", \"small\", \"chrome\", \"clay\"; correct the name, or leave it out\n"));
   CHECK_FALSE(fs::exists(scenes.path() / "whole"));
   const RunResult made = scenes.run("whole", whole + "[reflection]\nmirrors_material = { Ks_min = 0.95 }\n");
   CHECK(made.exit_code == 1);
   CHECK(
       made.err.ends_with("whole.toml:4: 'mirrors_material': no material is so; there are \"chrome\" (illum 3, Ks 0.9 "
-                         "0.9 0.9), \"clay\" (illum 1, Ks 0.1 0.1 0.1); look whether the file that mtllib names is "
+                         "0.9 0.9), \"clay\" (illum 1, Ks 0.1 0.1 0.1); change its conditions, or look whether the "
+                         "file that mtllib names is "
                          "beside the mesh\n"));
   std::string many = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
   for (int i = 0; i < 15; ++i) many += "o part" + std::to_string(i) + "\nf 1 2 3\n";
   static_cast<void>(scenes.file("many.obj", many));
   const RunResult listed = scenes.run("many", "[mesh]\nfile = \"many.obj\"\n[regions]\nignore = [\"x\"]\n");
-  CHECK(listed.err.find("\"part9\", and 5 more\n") != std::string::npos);
+  CHECK(listed.err.find("\"part9\", and 5 more; correct the name") != std::string::npos);
   CHECK(listed.err.find("part10") == std::string::npos);
 }
 

@@ -7,6 +7,7 @@
 
 #include "cli/trace/trace_examples.h"
 #include "tests/tools/command_runner.h"
+#include "tests/tools/says_what_to_do.h"
 
 namespace sightline::tests::cli_trace_test {
 using namespace cli;
@@ -122,6 +123,7 @@ TEST_CASE("trace command: what is wrong with a command line is said in one line"
     INFO(run.err);
     CHECK(run.exit_code == 2);
     CHECK(run.err.find(words) != std::string::npos);
+    CHECK(says_what_to_do(run.err));
     CHECK(tests::lines_of(run.err).size() == 1);
   }
   CHECK_FALSE(std::filesystem::exists(log));

@@ -7,6 +7,7 @@
 
 #include "cli/scene/scene_file.h"
 #include "geometry/numbers/errors.h"
+#include "tests/tools/says_what_to_do.h"
 
 namespace sightline::tests::lens_keys_test {
 namespace {
@@ -31,6 +32,7 @@ void check_refused(const std::string& keys, const std::string& says) {
     const std::string what = error.what();
     INFO(what);
     CHECK(what.find(says) != std::string::npos);
+    CHECK(says_what_to_do(what));
     CHECK(what.rfind("dir/scene.toml:", 0) == 0);
   }
 }

@@ -37,7 +37,7 @@ const std::vector<Refused> refused{
     {"mesh = [1]\n", "dir/scene.toml:1: 'mesh' must be a table, [mesh], or an array of tables, [[mesh]]"},
     {file + "place = 1\n",
      "dir/scene.toml:3: unknown key 'place' in [mesh]; it can have: file, name, sides, placement, up_axis, units, "
-     "scale"},
+     "scale; correct or remove it"},
     {file + "up_axis = \"w\"\n", "dir/scene.toml:3: 'up_axis' must be \"x\", \"y\" or \"z\""},
     {file + "units = \"km\"\n", "dir/scene.toml:3: 'units' must be \"mm\", \"cm\", \"m\", \"in\" or \"ft\""},
     {file + "scale = 0\n", "dir/scene.toml:3: 'scale' must be above 0; for a mirror image use 'placement'"},
@@ -56,7 +56,7 @@ const std::vector<Refused> refused{
     {"[[mesh]]\nfile = \"a.obj\"\nsides = \"both\"\n[[mesh]]\nfile = \"b.obj\"\nsides = \"both\"\n",
      "dir/scene.toml:6: 'sides' is of the whole scene; give it once"},
     {file + "[regions]\nmirrors = [\"a\"]\n",
-     "dir/scene.toml:4: unknown key 'mirrors' in [regions]; it can have: of_interest, ignore"},
+     "dir/scene.toml:4: unknown key 'mirrors' in [regions]; it can have: of_interest, ignore; correct or remove it"},
     {file + "[regions]\nignore = []\n", "dir/scene.toml:4: 'ignore' is empty; name regions, or leave it out"},
     {file + "[regions]\nignore = \"a\"\n", "dir/scene.toml:4: 'ignore' must be of the form [\"text\", ...]"},
     {file + "[regions]\nignore = [1]\n", "dir/scene.toml:4: 'ignore' must be made of texts in quotes"},
@@ -65,7 +65,7 @@ const std::vector<Refused> refused{
     {file + "[reflection]\nmirrors_material = { illum = [1.5] }\n",
      "dir/scene.toml:4: 'illum' must be a list of integers: those that MTL files have"},
     {file + "[reflection]\nmirrors_material = { Ks = 1 }\n",
-     "dir/scene.toml:4: unknown key 'Ks' in 'mirrors_material'; it can have: illum, Ks_min"},
+     "dir/scene.toml:4: unknown key 'Ks' in 'mirrors_material'; it can have: illum, Ks_min; correct or remove it"},
 };
 
 }  // namespace

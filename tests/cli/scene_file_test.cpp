@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/numbers/errors.h"
+#include "tests/tools/says_what_to_do.h"
 
 namespace sightline::tests::scene_file_test {
 using namespace cli;
@@ -35,6 +36,7 @@ void check_refused(const WrongScene& wrong) {
     CHECK(error.line() == wrong.line);
     CHECK(std::ranges::none_of(what, [](char c) { return static_cast<unsigned char>(c) < 0x20; }));
     CHECK(what.find(wrong.says) != std::string::npos);
+    CHECK(says_what_to_do(what));
     CHECK(what.rfind(wrong.line == 0 ? "dir/scene.toml: " : "dir/scene.toml:" + std::to_string(wrong.line) + ": ", 0) ==
           0);
   }

@@ -8,6 +8,7 @@
 
 #include "tests/tools/long_file.h"
 #include "tests/tools/running_command.h"
+#include "tests/tools/says_what_to_do.h"
 
 namespace sightline::tests::hostile_size_test {
 
@@ -45,6 +46,7 @@ void check_refused(const Outcome& outcome, const std::string& start, const std::
   CHECK(std::ranges::count(outcome.err, '\n') == 1);
   CHECK(outcome.err.starts_with("sightline: " + start));
   CHECK(outcome.err.find(part) != std::string::npos);
+  CHECK(says_what_to_do(outcome.err));
 }
 
 }  // namespace
@@ -96,7 +98,7 @@ TEST_CASE("a file of 1 GiB of nothing, and devices that never end, are refused")
   check_cost(zeros, 100 * mebibyte, 2);
   std::filesystem::create_symlink("/dev/zero", folder.path() / "zero.toml");
   const Outcome scene = run_to_end({"analyze", (folder.path() / "zero.toml").string(), "--json"});
-  check_refused(scene, (folder.path() / "zero.toml").string() + ": ", "at most 67108864 bytes");
+  check_refused(scene, (folder.path() / "zero.toml").string() + ": ", "more than 67108864 bytes");
   check_cost(scene, 300 * mebibyte, 2);
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "geometry/numbers/errors.h"
+#include "tests/tools/says_what_to_do.h"
 
 namespace sightline::tests::camera_test {
 namespace {
@@ -275,6 +276,7 @@ TEST_CASE("a view that is none is an error that names the camera and the cause")
                          CameraError);
     CHECK_THROWS_WITH_AS(static_cast<void>(orthographic_camera("left", view, 2)), doctest::Contains("camera \"left\""),
                          CameraError);
+    CHECK(says_what_to_do(message_of<CameraError>([&] { static_cast<void>(perspective_camera("left", view, 40)); })));
   }
   for (const double fov : {0.0, -1.0, 180.0, 200.0, not_a_number, infinity}) {
     CHECK_THROWS_WITH_AS(static_cast<void>(perspective_camera("c", from_five_on_z(), fov)),

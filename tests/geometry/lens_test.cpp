@@ -14,6 +14,7 @@
 
 #include "geometry/numbers/errors.h"
 #include "geometry/projection/camera.h"
+#include "tests/tools/says_what_to_do.h"
 
 namespace sightline::tests::lens_test {
 namespace {
@@ -69,6 +70,7 @@ std::string refusal(const Lens& lens) {
   try {
     static_cast<void>(hd_behind(lens));
   } catch (const CameraError& error) {
+    CHECK(says_what_to_do(error.what()));
     return error.what();
   }
   return "";

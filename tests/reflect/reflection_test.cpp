@@ -5,6 +5,7 @@
 
 #include "tests/reflect/mirror_outcome.h"
 #include "tests/tools/analyzed.h"
+#include "tests/tools/says_what_to_do.h"
 
 namespace sightline::tests::reflection_test {
 namespace {
@@ -251,6 +252,7 @@ TEST_CASE("panels that are no polygons are refused with their names") {
     const auto make = [&] { return mirror_world(mesh, {{"lamp", panel.corners, Emits::both}}); };
     CHECK_THROWS_WITH_AS((void)make(), doctest::Contains("panel \"lamp\": "), PanelError);
     CHECK_THROWS_WITH_AS((void)make(), doctest::Contains(panel.cause), PanelError);
+    CHECK(says_what_to_do(message_of<PanelError>([&] { static_cast<void>(make()); })));
   }
 }
 

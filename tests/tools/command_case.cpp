@@ -5,6 +5,7 @@
 
 #include "formats/importing/mesh_import.h"
 #include "geometry/mesh/box_hierarchy.h"
+#include "tests/tools/says_what_to_do.h"
 
 namespace sightline::tests {
 
@@ -66,6 +67,7 @@ void check_refusal(const tests::RunResult& run, const fs::path& results, const s
   CHECK(run.exit_code == 1);
   CHECK(run.out.empty());
   CHECK(is_error_line(run.err, start));
+  CHECK(says_what_to_do(run.err));
   CHECK_FALSE(fs::exists(results));
 }
 

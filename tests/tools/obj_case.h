@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "formats/reading/obj_reader.h"
+#include "tests/tools/says_what_to_do.h"
 
 namespace sightline::tests {
 
@@ -85,6 +86,7 @@ inline void check_error(const ObjCase& c, const std::string& path, const InputEr
   CHECK(error.line() == c.line);
   CHECK(message.starts_with(path + ":" + std::to_string(c.line) + ": "));
   CHECK(is_one_line(message));
+  CHECK(says_what_to_do(message));
   REQUIRE(!c.error.empty());
   CHECK(message.find(c.error) != std::string::npos);
 }
