@@ -173,10 +173,11 @@ std::vector<ConvexPart> SmoothMirror::shadows(const BentMirror& mirror, const Ra
   return result;
 }
 
-// Both the eye and the panel are outside of a closed surface.
+// Both the eye and the panel are outside of a closed surface, and no near plane opens it.
 bool SmoothMirror::is_closed_before(std::size_t panel) const {
-  if (!world_.closed || overlap(*world_.closed, world_.panel_boxes[panel])) return false;
-  return scene_.camera.projection == Projection::orthographic || !contains(*world_.closed, scene_.camera.eye.xyz);
+  const Camera& camera = scene_.camera;
+  if (!world_.closed || camera.near_distance || overlap(*world_.closed, world_.panel_boxes[panel])) return false;
+  return camera.projection == Projection::orthographic || !contains(*world_.closed, camera.eye.xyz);
 }
 
 // Some corner is above the mirror's plane, and some, perhaps another, before the panel's emitting side.

@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include "tests/reflect/mirror_outcome.h"
 #include "tests/reflect/smooth_bodies.h"
 
 namespace sightline::tests::closed_surface_test {
@@ -40,6 +41,34 @@ TEST_CASE("what lacks a face, or has one turned around, or has ends, is not clos
   CHECK(!closed(without_face(torus(8), 3)));
   CHECK(!closed(with_turned_face(torus(8))));
   CHECK(!closed(cylinder(12)));
+}
+
+// The eye sees the box's inside, whose walls are before a panel that lies outside.
+TEST_CASE("a near plane that opens a closed body leaves both sides of its facets in the way") {
+  std::vector<Corners> box;
+  for (const double side : {-3.0, 3.0}) {
+    for (const int axis : {0, 1, 2}) {
+      Corners face;
+      for (const auto& [u, v] : {std::pair(-3, -3), std::pair(3, -3), std::pair(3, 3), std::pair(-3, 3)}) {
+        Point3 corner = Point3::Zero();
+        corner[axis] = side;
+        corner[(axis + 1) % 3] = u;
+        corner[(axis + 2) % 3] = v;
+        face.push_back(corner);
+      }
+      if (side < 0) std::ranges::reverse(face);
+      box.push_back(face);
+    }
+  }
+  ViewPoint from;
+  from.eye = {0, 0, 10};
+  from.near_distance = 8;
+  const Camera camera = perspective_camera("c", from, 30);
+  const std::vector<Panel> panels{{"p", {{-9, -9, 20}, {9, -9, 20}, {9, 9, 20}, {-9, 9, 20}}}};
+  ReflectionOptions options{ReflectionMode::smooth};
+  options.crease_angle_degrees = 10;
+  CHECK(reflected(AnyMesh(mesh_of(box)), panels, camera, options).areas[0] == 0);
+  CHECK(reflected(AnyMesh(mesh_of({box[2]})), panels, camera, options).areas[0] > 1);
 }
 
 }  // namespace sightline::tests::closed_surface_test
