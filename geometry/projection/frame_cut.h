@@ -17,13 +17,12 @@
 #include <memory>
 
 #include "geometry/mesh/cut_mesh.h"
-#include "geometry/numbers/export.h"
 #include "geometry/projection/camera.h"
 
 namespace sightline::inline geometry {
 
 // Precondition: the mesh is not cut, and the camera has a lens.
-[[nodiscard]] SIGHTLINE_EXPORT CutMesh cut_along_frame(const CutMesh& mesh, const Camera& camera);
+[[nodiscard]] CutMesh cut_along_frame(const CutMesh& mesh, const Camera& camera);
 
 // Returns the name that a surface (surface_of in facet_plane.h) of such a mesh had before it was cut; of any other mesh the
 // same.

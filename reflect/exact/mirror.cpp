@@ -107,7 +107,8 @@ std::vector<ImagePolygon> Mirror::shadows(const WindowPart& part, std::size_t pa
     add_if_any(shadows, shadow(*world_.surface, obstacle, image));
   }
   for (std::size_t p = 0; p < world_.panels.size(); ++p) {
-    if (p == panel || world_.is_snapped(panel, p) || !pyramid.may_touch(world_.panel_boxes[p])) continue;
+    if (p == panel || world_.is_in_plane(panel, p) || world_.is_snapped_surface(p, surface_)) continue;
+    if (!pyramid.may_touch(world_.panel_boxes[p])) continue;
     for (std::size_t f = 0; f < world_.panel_meshes[p].facet_count(); ++f) {
       ++statistics.obstacles;
       add_if_any(shadows, shadow(world_.panel_meshes[p], UncutFacetId(f), image));

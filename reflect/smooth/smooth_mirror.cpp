@@ -79,6 +79,7 @@ bool add_meeting(const BentMirror& mirror, const CutMesh& mesh, const FacetSide&
 SmoothMirror::SmoothMirror(const MirrorWorld& world, const ProjectedScene& scene, FacetId surface)
     : world_(world),
       scene_(scene),
+      surface_(surface),
       plane_(plane_points(*world.surface, surface)),
       patches_(smooth_patches(world, scene, surface)) {
   if (scene.facing[surface.index()] == FacetFacing::back) std::swap(plane_[1], plane_[2]);
@@ -162,7 +163,8 @@ std::vector<ConvexPart> SmoothMirror::shadows(const BentMirror& mirror, const Ra
     if (!world_.is_snapped(panel.panel, facet)) add(*world_.surface, world_.panels.size(), facet);
   }
   for (std::size_t p = 0; p < world_.panels.size(); ++p) {
-    if (p == panel.panel || world_.is_snapped(panel.panel, p) || !may_reach(world_.panel_boxes[p])) continue;
+    if (p == panel.panel || world_.is_in_plane(panel.panel, p) || world_.is_snapped_surface(p, surface_)) continue;
+    if (!may_reach(world_.panel_boxes[p])) continue;
     const CutMesh& mesh = world_.panel_meshes[p];
     for (std::size_t f = 0; f < mesh.facet_count(); ++f) add(mesh, p, UncutFacetId(f));
   }

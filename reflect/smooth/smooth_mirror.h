@@ -49,6 +49,7 @@ class SmoothMirror {
 
   const MirrorWorld& world_;
   const ProjectedScene& scene_;
+  FacetId surface_;
   std::array<Point3, 3> plane_;  // of the surface, seen counter-clockwise by the eye
   std::vector<SmoothPatch> patches_;
 };

@@ -29,7 +29,7 @@ std::vector<std::size_t> earlier_ones_in_plane(const MirrorWorld& world, std::si
   std::vector<std::size_t> result;
   for (std::size_t p = 0; p < panel; ++p) {
     const auto is_on_plane = [&](const Point3& corner) { return plane.side(exact_position(corner)) == 0; };
-    if (world.is_snapped(panel, p) || std::ranges::all_of(world.panels[p].corners, is_on_plane)) result.push_back(p);
+    if (world.is_in_plane(panel, p) || std::ranges::all_of(world.panels[p].corners, is_on_plane)) result.push_back(p);
   }
   return result;
 }
@@ -73,8 +73,11 @@ bool MirrorWorld::is_snapped_surface(std::size_t panel, FacetId first) const {
   return false;
 }
 
-bool MirrorWorld::is_snapped(std::size_t panel, std::size_t other) const {
-  return options.snaps && std::ranges::binary_search(flush[panel].panels, other, {}, &FlushPanel::panel);
+bool MirrorWorld::is_in_plane(std::size_t panel, std::size_t other) const {
+  if (options.snaps && std::ranges::binary_search(flush[panel].panels, other, {}, &FlushPanel::panel)) return true;
+  const std::vector<Point3>& corners = panels[other].corners;
+  return corners.size() == panels[panel].corners.size() &&
+         std::is_permutation(corners.begin(), corners.end(), panels[panel].corners.begin());
 }
 
 }  // namespace sightline::inline reflect

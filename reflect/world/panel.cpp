@@ -47,6 +47,14 @@ std::string text(double number) {
 
 std::string text(const Point3& p) { return "[" + text(p.x()) + ", " + text(p.y()) + ", " + text(p.z()) + "]"; }
 
+// Returns the corners from the lexicographically least one on, in the direction of its lesser neighbour: so that a panel that begins
+// elsewhere, or is turned, has the same plane to the last bit.
+std::vector<Point3> in_canonical_order(std::vector<Point3> corners) {
+  std::rotate(corners.begin(), std::ranges::min_element(corners, lexicographically_less), corners.end());
+  if (lexicographically_less(corners.back(), corners[1])) std::reverse(corners.begin() + 1, corners.end());
+  return corners;
+}
+
 // Returns where a corner would be in the plane of the others.
 Point3 place_among_others(const std::vector<Point3>& corners, std::size_t corner) {
   const double scale = unit_scale(corners);
@@ -71,7 +79,7 @@ FittedPanel fitted_panel(const Panel& panel) {
   if (are_in_one_plane(panel.corners)) return {panel.corners, 0};
   const double scale = unit_scale(panel.corners);
   const std::vector<Point3> corners = scaled(panel.corners, scale);
-  const FittedPlane plane = fitted_plane(corners);
+  const FittedPlane plane = fitted_plane(in_canonical_order(corners));
   if (plane.normal.isZero(0))
     refuse(panel, "its border crosses itself so that it has no front; list its corners in order");
   const auto off_plane = [&](const Point3& corner) { return std::fabs(plane.height(corner)); };

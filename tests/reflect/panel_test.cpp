@@ -189,4 +189,44 @@ TEST_CASE("panels that lie on each other but for rounding: the first one is in f
   CHECK(outcome.areas[1] == doctest::Approx(1));
 }
 
+TEST_CASE("of two panels with the same corners, be they turned, the first one is in front in every pose") {
+  const Corners mirror{{-8, -8, 0}, {8, -8, 0}, {8, 8, 0}, {-8, 8, 0}};
+  const Corners panel{{2, -1, 4}, {4, -1, 4}, {4, 1, 4}, {2, 1, 4}};
+  int triangles = 0;
+  for (int i = 0; i < 12; ++i) {
+    CAPTURE(i);
+    const double angle = 0.4 * i;
+    ViewPoint from;
+    from.eye = turn(angle) * Point3(-2, 0, 4);
+    from.target = turn(angle) * Point3(0, 0, 0);
+    from.up = turn(angle) * Vector3(0, 1, 0);
+    const Corners first = with_digits(turned(panel, angle), 9);
+    Corners second = first;
+    if (i % 2 == 1) std::ranges::reverse(second);
+    triangles += panel_mesh({"first", first}).facet_count() > 1 ? 1 : 0;
+    const MirrorOutcome outcome = reflected(AnyMesh(mesh_of({turned(mirror, angle)})),
+                                            {{"first", first}, {"second", second}}, perspective_camera("c", from, 120));
+    CHECK(outcome.areas[0] == doctest::Approx(1).epsilon(1e-6));
+    CHECK(outcome.areas[1] == 0);
+  }
+  CHECK(triangles > 6);
+}
+
+TEST_CASE("a panel that lies on the mirror hides no other one where the scene snaps") {
+  const Corners mirror{{-8, -8, 0}, {8, -8, 0}, {8, 8, 0}, {-8, 8, 0}};
+  const Panel far{"far", {{2, -1, 4}, {4, -1, 4}, {4, 1, 4}, {2, 1, 4}}};
+  for (const ReflectionMode mode : {ReflectionMode::exact, ReflectionMode::smooth}) {
+    for (const double height : {-1e-12, 0.0, 1e-12}) {
+      CAPTURE(height);
+      ReflectionOptions options{mode};
+      options.snaps = true;
+      const Panel flush{"flush", {{-1, -1, height}, {1, -1, height}, {1, 1, height}, {-1, 1, height}}};
+      const MirrorOutcome outcome =
+          reflected(AnyMesh(mesh_of({mirror})), {flush, far}, looking_down(mirror_eye), options);
+      CHECK(outcome.areas[1] == doctest::Approx(1).epsilon(1e-9));
+      CHECK(outcome.areas[0] == 0);
+    }
+  }
+}
+
 }  // namespace sightline::tests::panel_test
