@@ -142,7 +142,7 @@ class SurfaceTriangles {
   }
 
   // A segment is cut where points of the border lie on it: those of its own edge and, in a face with several facets or
-  // one that reflects, any.
+  // in a scene that reflects, any. (What reflects a panel splits the view volume's border, too, even if it is below resolution.)
   void add_segment(const VisibleSegment& segment, std::size_t kind) {
     std::vector<PointId> cuts = points_on(segment);
     std::sort(cuts.begin(), cuts.end(), [&](PointId a, PointId b) { return image_.sweeps_before(a, b); });
@@ -168,7 +168,7 @@ class SurfaceTriangles {
         if (between(p.point) && points_.contains(p.point)) result.push_back(p.point);
       }
     }
-    if (surface_.borders.size() == 1 && surface_.reflecting.empty()) return result;
+    if (surface_.borders.size() == 1 && !scene_.has_mirrored_lines) return result;
     for (std::size_t i = 0; i < points_.size(); ++i) {
       const PointId p = points_[PlanarPointId(i)].point;
       if (between(p) && image_.orientation(top, bottom, p) == 0) result.push_back(p);
