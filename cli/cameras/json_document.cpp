@@ -59,7 +59,7 @@ class JsonEvents {
   bool number_unsigned(std::uint64_t value) { return number(std::to_string(value)); }
   bool number_float(double /*value*/, const std::string& text) { return number(text); }
   bool string(std::string& value) { return scalar(value); }
-  bool binary(nlohmann::json::binary_t& /*value*/) { return false; }
+  static bool binary(nlohmann::json::binary_t& /*value*/) { return false; }
   bool start_object(std::size_t /*size*/) { return begin(DocumentNode::Kind::table); }
   bool start_array(std::size_t /*size*/) { return begin(DocumentNode::Kind::list); }
   bool end_object() { return end(); }

@@ -93,7 +93,7 @@ UpAxis read_up_axis(const TomlReader& mesh) {
 
 LengthRatio read_units(const TomlReader& mesh) {
   const std::string name = mesh.text("units");
-  const auto unit = std::ranges::find_if(units, [&](const Unit& u) { return name == u.name; });
+  const auto* const unit = std::ranges::find_if(units, [&](const Unit& u) { return name == u.name; });
   if (unit == units.end()) mesh.fail("units", "'units' must be \"mm\", \"cm\", \"m\", \"in\" or \"ft\"");
   return unit->metres;
 }

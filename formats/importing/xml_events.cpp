@@ -29,7 +29,7 @@ struct XmlText::Parser {
     }
   }
 
-  void parse(std::string_view portion, bool is_last) {
+  void parse(std::string_view portion, bool is_last) const {
     const auto status = XML_Parse(expat, portion.data(), static_cast<int>(portion.size()), is_last ? 1 : 0);
     if (thrown) std::rethrow_exception(thrown);
     if (status != XML_STATUS_OK) throw std::runtime_error(XML_ErrorString(XML_GetErrorCode(expat)));

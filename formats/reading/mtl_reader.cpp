@@ -77,7 +77,7 @@ MtlStatements statements_of(std::string_view text) {
     if (keyword == "illum" && rest.size() > longest_integer) continue;
     if (keyword == "Ks") result.said.back().specular.emplace();
     if (keyword == "illum") result.said.back().illum.emplace();
-    result.text += keyword + " " + rest + "\n";
+    result.text.append(keyword).append(" ").append(rest).append("\n");
   }
   return result;
 }

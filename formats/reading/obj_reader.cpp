@@ -30,7 +30,7 @@ MeshFile read_from(ObjScanner& scanner, const std::string& name, const ReadLimit
   result.corner_normals = std::move(statements.corner_normals);
   result.regions = std::move(statements.regions);
   warn_about_statements(statements, name, result.warnings);
-  for (const std::string& line : statements.region_limits) result.warnings.push_back(name + ": " + line);
+  for (const std::string& line : statements.region_limits) result.warnings.emplace_back(name).append(": ").append(line);
   find_materials(result.regions, statements.libraries, beside, name, result.warnings);
   result.mesh = build_mesh(std::move(statements.vertices), std::move(statements.faces));
   warn_about_defects(result.mesh, name, result.warnings);

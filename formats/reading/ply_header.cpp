@@ -34,7 +34,7 @@ constexpr std::array type_names{
 PlyRole role_of_number(std::string_view name) {
   constexpr std::array<std::string_view, 6> names{"x", "y", "z", "nx", "ny", "nz"};
   constexpr std::array roles{PlyRole::x, PlyRole::y, PlyRole::z, PlyRole::nx, PlyRole::ny, PlyRole::nz};
-  const auto found = std::ranges::find(names, name);
+  const auto* const found = std::ranges::find(names, name);
   return found == names.end() ? PlyRole::none : roles[static_cast<std::size_t>(found - names.begin())];
 }
 
@@ -85,7 +85,7 @@ PlyHeader PlyHeaderParser::parse() {
 void PlyHeaderParser::parse_format() {
   const std::string_view format = in_.next_token_of_line();
   constexpr std::array<std::string_view, 3> formats{"ascii", "binary_little_endian", "binary_big_endian"};
-  const auto found = std::ranges::find(formats, format);
+  const auto* const found = std::ranges::find(formats, format);
   if (found == formats.end())
     in_.fail("PLY is ascii, binary_little_endian or binary_big_endian, not " + quoted(format) +
              "; export the mesh again");
@@ -113,7 +113,7 @@ void PlyHeaderParser::parse_element() {
 }
 
 PlyType PlyHeaderParser::type_of(std::string_view token) const {
-  const auto found = std::ranges::find(type_names, token, &PlyTypeName::name);
+  const auto* const found = std::ranges::find(type_names, token, &PlyTypeName::name);
   if (found == type_names.end())
     in_.fail(quoted(token) +
              " is no type of PLY (char, uchar, short, ushort, int, uint, float, double); export the "
@@ -191,7 +191,7 @@ bool PlyElement::has(PlyRole role) const {
 }
 
 std::uint64_t PlyHeader::count(PlyElement::Kind kind) const {
-  const auto found = std::ranges::find(elements, kind, &PlyElement::kind);
+  const auto* const found = std::ranges::find(elements, kind, &PlyElement::kind);
   return found == elements.end() ? 0 : found->count;
 }
 

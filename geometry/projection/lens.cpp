@@ -16,7 +16,7 @@ using Polynomial = std::array<double, 5>;  // the constant first
 template <class Number>
 Number value_at(const Polynomial& polynomial, const Number& s) {
   Number sum = 0.0;
-  for (auto c = polynomial.rbegin(); c != polynomial.rend(); ++c) sum = sum * s + Number(*c);
+  for (std::size_t i = polynomial.size(); i-- > 0;) sum = sum * s + Number(polynomial[i]);
   return sum;
 }
 

@@ -65,9 +65,9 @@ bool MirrorWorld::is_snapped(std::size_t panel, UncutFacetId facet) const {
   return options.snaps && std::ranges::binary_search(flush[panel].facets, facet, {}, &FlushFacet::facet);
 }
 
-bool MirrorWorld::is_snapped_surface(std::size_t panel, FacetId first) const {
+bool MirrorWorld::is_snapped_surface(std::size_t panel, FacetId mirror) const {
   if (!options.snaps || flush[panel].facets.empty()) return false;
-  for (FacetId f = first; f < end_of_surface(*surface, first); f = FacetId(f.index() + 1)) {
+  for (FacetId f = mirror; f < end_of_surface(*surface, mirror); f = FacetId(f.index() + 1)) {
     if (is_snapped(panel, surface->uncut_facet(f))) return true;
   }
   return false;

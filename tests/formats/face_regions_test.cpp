@@ -14,6 +14,7 @@
 #include "tests/tools/obj_case.h"
 
 namespace sightline::tests::face_regions_test {
+using namespace std::literals;
 namespace {
 
 namespace fs = std::filesystem;
@@ -151,7 +152,7 @@ TEST_CASE("hostile libraries: too long, too many materials, words without end, b
   for (std::size_t i = 0; i <= most_materials; ++i) many += "newmtl x\n";
   CHECK_THROWS_AS(read_mtl(many), std::length_error);
   CHECK_THROWS_AS(read_mtl("newmtl " + std::string(std::size_t{2} << 20, 'x')), std::length_error);
-  const auto read = read_mtl(std::string_view("newmtl a\0b\nKs\nKs \nillum\n\xff\xfe\nillum \0\nKs 1", 41));
+  const auto read = read_mtl("newmtl a\0b\nKs\nKs \nillum\n\xff\xfe\nillum \0\nKs 1"sv);
   CHECK(read.contains("a\\x00b"));
   const MeshFile file = with_library("mtllib a.mtl\nusemtl x\n", files({{"a.mtl", many}}));
   REQUIRE(file.warnings.size() == 1);
