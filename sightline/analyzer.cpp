@@ -109,7 +109,7 @@ Visibility Analyzer::find_visible(const Camera& camera) const {
 }
 
 // Its mirrors are the facets that the view has; what is in the way are uncut facets, which keep their numbers.
-MirrorWorld Analyzer::framed(const MirrorWorld& world, const View& view) const {
+MirrorWorld Analyzer::framed(const MirrorWorld& world, const View& view) {
   MirrorWorld of_view = world;
   of_view.surface = view.scene.surface;
   return of_view;

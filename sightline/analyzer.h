@@ -61,7 +61,7 @@ class SIGHTLINE_EXPORT Analyzer {
  private:
   // The mesh, or what the camera's lens makes of it: cut along its frame.
   [[nodiscard]] std::shared_ptr<const CutMesh> framed(const Camera& camera) const;
-  [[nodiscard]] MirrorWorld framed(const MirrorWorld& world, const View& view) const;
+  [[nodiscard]] static MirrorWorld framed(const MirrorWorld& world, const View& view);
   [[nodiscard]] Visibility find_visible(const Camera& camera) const;
   void reflect(const MirrorWorld& world, View& view) const;
   void label(View& view) const;

@@ -191,7 +191,7 @@ bool PlyElement::has(PlyRole role) const {
 }
 
 std::uint64_t PlyHeader::count(PlyElement::Kind kind) const {
-  const auto* const found = std::ranges::find(elements, kind, &PlyElement::kind);
+  const auto found = std::ranges::find(elements, kind, &PlyElement::kind);
   return found == elements.end() ? 0 : found->count;
 }
 
