@@ -35,7 +35,7 @@ struct TakingTurns {
       if (i == 1) folder.file("results/near/notes.txt", "mine");
       expected[i] = snapshot_of(results);
     }
-    REQUIRE(expected[0].size() == 20);
+    REQUIRE(expected[0].size() == 21);
     REQUIRE(expected[0] != expected[1]);
   }
 
