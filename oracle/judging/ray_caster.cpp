@@ -129,8 +129,6 @@ void sort_by_depth(std::vector<FacetId>& facets, const PolygonMesh& mesh, const 
   std::sort(placed.begin(), placed.end(), [&](const auto& a, const auto& b) {
     const Sign order = nearer(a.first, b.first);
     if (order != 0) return order > 0;
-    const auto looks_at_eye = [&](FacetId f) { return scene.facing[f.index()] == FacetFacing::front; };
-    if (looks_at_eye(a.second) != looks_at_eye(b.second)) return looks_at_eye(a.second);
     const FaceId face_a = mesh.facet_face[a.second.index()];
     const FaceId face_b = mesh.facet_face[b.second.index()];
     return face_a != face_b ? face_a < face_b : a.second < b.second;

@@ -29,8 +29,7 @@ double largest_difference(const DepthPlane& a, const DepthPlane& b, const Convex
 
 bool is_in_front(const FlatPolygon& a, const FlatPolygon& b, const ConvexRing& overlap, const CutMesh& mesh) {
   const double farther = largest_difference(a.plane, b.plane, overlap);
-  if (farther == 0 || lie_in_one_plane(mesh, a.facet, b.facet))
-    return a.is_front == b.is_front ? a.facet < b.facet : a.is_front;
+  if (farther == 0 || lie_in_one_plane(mesh, a.facet, b.facet)) return a.facet < b.facet;
   return farther < 0;
 }
 
