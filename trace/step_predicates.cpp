@@ -235,8 +235,15 @@ bool StepPredicates::add_corners_against_plane(FacetId f, FacetId g) {
     behind = behind || side < 0;
     if (front && behind) return false;
   }
-  if (!front && !behind) add_verdict(std::min(f, g), std::max(f, g), "rule", "in one plane the lower face is in front");
+  if (!front && !behind) add_rule_of_one_plane(std::min(f, g), std::max(f, g));
   return true;
+}
+
+void StepPredicates::add_rule_of_one_plane(FacetId f, FacetId g) {
+  const auto is_turned = [&](FacetId facet) { return scene_.facing[facet.index()] == FacetFacing::back; };
+  if (is_turned(f) == is_turned(g)) return add_verdict(f, g, "rule", "in one plane the lower face is in front");
+  const auto [front, back] = is_turned(f) ? std::pair(g, f) : std::pair(f, g);
+  add_verdict(front, back, "rule", "in one plane the face that looks at the eye is in front");
 }
 
 Sign StepPredicates::add_corner_against_plane(VertexId v, FacetId plane) {

@@ -49,6 +49,8 @@ class StepPredicates {
   Sign add_direction(EdgeId a, EdgeId b);
   void add_meeting(EdgeId left, EdgeId right);
   void add_depth(FacetId f, FacetId g);
+  // Precondition: f has the lower index.
+  void add_rule_of_one_plane(FacetId f, FacetId g);
   // Returns whether the corners decide.
   bool add_corners_against_plane(FacetId f, FacetId g);
   Sign add_corner_against_plane(VertexId v, FacetId plane);

@@ -4,6 +4,7 @@
 #include <random>
 #include <stdexcept>
 
+#include "geometry/mesh/facet_plane.h"
 #include "oracle/judging/ray_depth.h"
 
 namespace sightline::lattice {
@@ -122,6 +123,16 @@ std::vector<RayHits> cast(const ProjectedScene& scene, const std::vector<ImagePo
   return hits;
 }
 
+namespace {
+
+// The facet is one of the mesh, which need not be the scene's.
+bool is_front(const PolygonMesh& mesh, const Camera& camera, FacetId f) {
+  const auto [a, b, c] = plane_corners(mesh, mesh.corners(f));
+  return orient3d(mesh.position(a), mesh.position(b), mesh.position(c), camera.eye) > 0;
+}
+
+}  // namespace
+
 void sort_by_depth(std::vector<FacetId>& facets, const PolygonMesh& mesh, const ProjectedScene& scene,
                    const ImagePoint& ray) {
   std::vector<std::pair<RayDepth, FacetId>> placed;
@@ -129,6 +140,8 @@ void sort_by_depth(std::vector<FacetId>& facets, const PolygonMesh& mesh, const 
   std::sort(placed.begin(), placed.end(), [&](const auto& a, const auto& b) {
     const Sign order = nearer(a.first, b.first);
     if (order != 0) return order > 0;
+    const bool looks_at_eye = is_front(mesh, scene.camera, a.second);
+    if (looks_at_eye != is_front(mesh, scene.camera, b.second)) return looks_at_eye;
     const FaceId face_a = mesh.facet_face[a.second.index()];
     const FaceId face_b = mesh.facet_face[b.second.index()];
     return face_a != face_b ? face_a < face_b : a.second < b.second;

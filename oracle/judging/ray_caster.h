@@ -22,7 +22,8 @@ struct RayHits {
 };
 [[nodiscard]] std::vector<RayHits> cast(const ProjectedScene& scene, const std::vector<ImagePoint>& rays);
 
-// Sorts facets along the ray, the nearest first; at equal depth the lower face index first.
+// Sorts facets along the ray, the nearest first; at equal depth those that look at the eye first, and then the lower face
+// index.
 void sort_by_depth(std::vector<FacetId>& facets, const PolygonMesh& mesh, const ProjectedScene& scene,
                    const ImagePoint& ray);
 

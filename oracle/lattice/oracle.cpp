@@ -33,7 +33,7 @@ Rational area_of(const Tower& tower, const Fraction& top, const std::vector<Rise
 }
 
 bool comes_first_in_plane(const OracleFace& a, const OracleFace& b) {
-  return a.number < b.number;
+  return a.is_front == b.is_front ? a.number < b.number : a.is_front;
 }
 
 std::size_t front_of(const std::vector<OracleFace>& faces, const std::vector<Rise>& rises, const Slab& slab,

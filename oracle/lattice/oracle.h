@@ -2,7 +2,8 @@
 //
 // In:  oracle faces: the image of a face in the view volume, its plane over the image, its number.
 // Out: the exact visible image area per face and the area that nothing covers, in oracle units squared.
-// The nearest face is visible; of coplanar faces the one with the lower number. Several oracle faces may have one
+// The nearest face is visible; of coplanar faces one that looks at the eye before one that is turned away, and of
+// two alike the one with the lower number. Several oracle faces may have one
 // number. Complexity: that of the decomposition, times the faces over one place.
 #pragma once
 

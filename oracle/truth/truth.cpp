@@ -17,8 +17,7 @@ using image::where_nearer;
 
 // Of faces in one plane those that look at the eye are in front, and then the lower index.
 bool is_in_front_in_plane(const std::vector<SeenFace>& faces, std::size_t a, std::size_t b) {
-  static_cast<void>(faces);
-  return a < b;
+  return faces[a].is_front == faces[b].is_front ? a < b : faces[a].is_front;
 }
 
 // Returns where `other` hides the face of `faces` with this index.

@@ -4,7 +4,8 @@
 // Out: exact areas in window units squared; the window is [-1, 1]^2 and its area 4.
 // Holds:
 //   - a place of the window belongs to the nearest face over it, by exact depth along the camera's ray there, also
-//     where faces pass through each other; of coplanar faces the lower index is in front;
+//     where faces pass through each other; of coplanar faces one that looks at the eye is in front of one
+//     that is turned away, and of two alike the lower index;
 //   - faces that are planar are taken whole, others by facet; edge-on ones are not seen; with Sides::front back-facing
 //     ones are neither seen nor in the way;
 //   - the visible areas and the uncovered area add up to 4.

@@ -128,7 +128,7 @@ class MakeBsp {
     std::vector<FlatPolygon> root;
     for (const PolygonId id : within) root.push_back(polygon(id));
     std::stable_sort(root.begin(), root.end(),
-                     [](const FlatPolygon& a, const FlatPolygon& b) { return a.face > b.face; });
+                     [](const FlatPolygon& a, const FlatPolygon& b) { return is_in_front_in_plane(b, a); });
     return root;
   }
 

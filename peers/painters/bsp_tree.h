@@ -4,13 +4,14 @@
 // makeBSP: choose a polygon F from the list; split all polygons in the list according to F's plane; those on the front
 // side of F make the front child, those on its back side the back child. displayBSP: the child on the other side of F
 // than the viewer, then F, then the child on the viewer's side.
-// Holds: front is where the polygon's front side looks. Polygons in F's plane stay at F's node, the lowest face index
-// in front (and painted last). Every polygon, or all of its parts, is in one node; no part is across the plane of a
-// node above it. Neither building nor displaying recurses, so that a tree may be as high as there are polygons.
+// Holds: front is where the polygon's front side looks. Polygons in F's plane stay at F's node, and of these what
+// is_in_front_in_plane puts in front is painted last. Every polygon, or all of its parts, is in one node; no part is
+// across the plane of a node above it. Neither building nor displaying recurses, so that a tree may be as high as there
+// are polygons.
 // Choice of F: of eight polygons, evenly spaced in the list, the one with the least of 8 * splits + |front - back|
 // among 64 polygons, evenly spaced, too. A split costs as much as eight polygons out of balance.
 // Precision: order at object precision, in doubles; polygons nearer to each other's planes than polygon_split.h's
-// tolerance count as in the plane, of which the lower face index is then in front. Painting at image precision.
+// tolerance count as in the plane. Painting at image precision.
 // Departures: slides 001 hang the polygons on F's front side on backChild and those on its back side on frontChild;
 // displayBSP, there and in 003, needs them the other way round, as here. The slides' node has one polygon. The tree is
 // of what one camera sees, after its projection, so it serves one eye only: the viewer is at depth minus infinity.

@@ -53,13 +53,14 @@ class DepthSort {
     return SurfaceId(surfaces_.size() - 1);
   }
 
-  // Returns whether a comes earlier in the list, whose end is painted first: at one depth the lower face index is in
-  // front.
+  // Returns whether a comes earlier in the list, whose end is painted first. At one depth the order is that of polygons
+  // in one plane.
   [[nodiscard]] bool is_earlier(SurfaceId a, SurfaceId b) const {
     const double depth_a = surface(a).extent.most.depth;
     const double depth_b = surface(b).extent.most.depth;
     if (depth_a != depth_b) return depth_a < depth_b;
-    if (surface(a).polygon.face != surface(b).polygon.face) return surface(a).polygon.face < surface(b).polygon.face;
+    if (is_in_front_in_plane(surface(a).polygon, surface(b).polygon)) return true;
+    if (is_in_front_in_plane(surface(b).polygon, surface(a).polygon)) return false;
     return a < b;
   }
 

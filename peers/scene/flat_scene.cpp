@@ -76,6 +76,10 @@ FlatScene flat_scene(const ProjectedScene& scene) {
   return flat;
 }
 
+bool is_in_front_in_plane(const FlatPolygon& a, const FlatPolygon& b) {
+  return a.is_front == b.is_front ? a.face < b.face : a.is_front;
+}
+
 Extent extent_of(const std::vector<Corner>& corners) {
   Extent extent{corners.front(), corners.front()};
   for (const Corner& c : corners) {

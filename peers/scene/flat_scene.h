@@ -60,6 +60,10 @@ struct FlatScene {
 // The mesh and the projected scene must live as long as the result is used.
 [[nodiscard]] FlatScene flat_scene(const ProjectedScene& scene);
 
+// Returns whether a is in front of b where both lie in one plane: the one that looks at the eye is in front of one that
+// is turned away, and of two alike the lower face.
+[[nodiscard]] bool is_in_front_in_plane(const FlatPolygon& a, const FlatPolygon& b);
+
 [[nodiscard]] Extent extent_of(const std::vector<Corner>& corners);
 
 }  // namespace sightline::peers

@@ -29,7 +29,8 @@ double largest_difference(const DepthPlane& a, const DepthPlane& b, const Convex
 
 bool is_in_front(const FlatPolygon& a, const FlatPolygon& b, const ConvexRing& overlap, const CutMesh& mesh) {
   const double farther = largest_difference(a.plane, b.plane, overlap);
-  if (farther == 0 || lie_in_one_plane(mesh, a.facet, b.facet)) return a.facet < b.facet;
+  if (farther == 0 || lie_in_one_plane(mesh, a.facet, b.facet))
+    return is_in_front_in_plane(a, b) || (!is_in_front_in_plane(b, a) && a.facet < b.facet);
   return farther < 0;
 }
 

@@ -42,12 +42,12 @@ bool y_extents_apart(const Surface& p, const Surface& q) {
 
 bool is_behind(const Surface& p, const Surface& q) {
   const Side side = side_of(p.polygon, q.polygon.plane);
-  return side == Side::farther || (side == Side::within && p.polygon.face >= q.polygon.face);
+  return side == Side::farther || (side == Side::within && !is_in_front_in_plane(p.polygon, q.polygon));
 }
 
 bool is_before(const Surface& q, const Surface& p) {
   const Side side = side_of(q.polygon, p.polygon.plane);
-  return side == Side::nearer || (side == Side::within && q.polygon.face <= p.polygon.face);
+  return side == Side::nearer || (side == Side::within && !is_in_front_in_plane(p.polygon, q.polygon));
 }
 
 bool images_apart(const Surface& p, const Surface& q) {

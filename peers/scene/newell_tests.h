@@ -5,7 +5,7 @@
 // Tests 3' and 4' of P and Q are tests 3 and 4 of Q and P.
 // Holds: 3 or 4' is true where P is not across Q's plane, and 4 or 3' where Q is not across P's. So where all four are
 //      false, each of the two has to be split by the other's plane, and can be.
-// Tie: a surface in the plane of another one is behind it where its face index is higher: the lower one is in front.
+// Tie: of surfaces in one plane the order is that of is_in_front_in_plane.
 // Tolerance: planes touch as polygon_split.h says; depths and images touch where they overlap by no more than
 //      `touching` (of the depth, or in the window), which may give a pixel as near to an edge to a neighbour.
 // Complexity: test 5 O(k^2) for k corners, 3 and 4 O(k), 1 and 2 O(1). Errors: none.

@@ -50,7 +50,7 @@ DepthRelation DepthOrder::relation_of_lower(FacetId f, FacetId g) {
 // Precondition: as above. Where they pass through each other, somebody else says who is nearer.
 DepthRelation DepthOrder::relation_of_uncut(UncutFacetId f, UncutFacetId g) {
   const Evidence of_f = corners_against_plane(f, g);
-  if (of_f.front == 0 && of_f.behind == 0) return {true, false};
+  if (of_f.front == 0 && of_f.behind == 0) return {!is_turned(f) || is_turned(g), false};
   if (of_f.front == 0 || of_f.behind == 0) return {of_f.front > 0, false};
   const Evidence of_g = corners_against_plane(g, f);
   if (of_g.front == 0 || of_g.behind == 0) return {of_g.behind > 0, false};

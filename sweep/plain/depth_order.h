@@ -5,7 +5,7 @@
 // Out: whether the first is nearer to the eye there.
 // Holds: facets that do not pass through each other have one order wherever they overlap, since both are convex and
 // planar; so the answer does not depend on the place. nearer(f, g) != nearer(g, f). Of coplanar facets
-// the lower face index is in front. Pieces of facets that were cut along common lines have the order of the uncut facets, or, where these
+// one whose front the eye sees is in front of one that is turned away; of two alike the lower face index is in front. Pieces of facets that were cut along common lines have the order of the uncut facets, or, where these
 // cross, one of their own (piece_order.h).
 // Method: if all of one facet is less deep than all of the other (depth_ranges.h), it is nearer. If all of one facet is
 // on one side of the other's plane, that side decides. Otherwise they straddle each other's planes, and a place where

@@ -50,7 +50,7 @@ TEST_CASE("neither areas nor reflections depend on which of both comes first") {
   double seen = 0;
   double reflecting = 0;
   for (const Corners& face : {square, angle, warped}) {
-    for (const SidesPolicy sides : {SidesPolicy::front}) {
+    for (const SidesPolicy sides : {SidesPolicy::front, SidesPolicy::both, SidesPolicy::automatic}) {
       for (int i = 0; i < 10; ++i) {
         CAPTURE(i);
         const Camera camera = camera_at({place(random), place(random), i % 2 == 0 ? 4.0 : -4.0});
@@ -69,7 +69,7 @@ TEST_CASE("neither areas nor reflections depend on which of both comes first") {
 }
 
 TEST_CASE("of both the one that looks at the eye is seen, and hides") {
-  for (const SidesPolicy sides : {SidesPolicy::front}) {
+  for (const SidesPolicy sides : {SidesPolicy::front, SidesPolicy::both}) {
     const auto from_front = areas({turned(square), square, behind}, camera_at({0, 0, 4}), sides);
     CHECK(from_front[0][0] == 0);
     CHECK(from_front[1][0] > 0.5);
