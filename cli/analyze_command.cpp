@@ -129,7 +129,7 @@ std::string analyzed(const AnalyzeOptions& options) {
   const Analyzer analyzer(std::move(input.mesh), analysis_options(scene, options, input, watch));
   const MirrorWorld world = analyzer.world(scene.panels);
   input.doubts = surface_doubts(analyzer.mesh(), world, scene.reflection);
-  for (std::string& warning : warnings_of(input.doubts, scene.reflection.snaps))
+  for (std::string& warning : warnings_of(input.doubts, analyzer.options()))
     input.warnings.push_back(std::move(warning));
   std::vector<Report> reports;
   for (const Camera& camera : scene.cameras) {

@@ -6,7 +6,9 @@
 #include <type_traits>
 #include <utility>
 
+#include "geometry/cutting/coincidence.h"
 #include "geometry/cutting/common_lines.h"
+#include "geometry/cutting/snapped_planes.h"
 #include "geometry/numbers/errors.h"
 #include "geometry/projection/frame_cut.h"
 #include "reflect/triangles/reflecting_triangles.h"
@@ -33,6 +35,14 @@ auto by_threads(std::size_t threads, Work work) {
   return arena.execute(work);
 }
 
+// Returns a mesh that nothing was cut of, with what all but lies on each other made coplanar where that is wanted.
+CutMesh taken(Mesh mesh, const ReflectionOptions& options) {
+  CutMesh result = uncrossed(std::move(mesh));
+  if (options.snaps && options.coincidence > 0)
+    result.snapped_to = snapped_planes(result, options.coincidence * size_of(result));
+  return result;
+}
+
 }  // namespace
 
 // Without rounding nothing has to be cut, and how the mesh meets itself is only asked where that says which sides count.
@@ -40,7 +50,7 @@ Analyzer::Analyzer(Mesh mesh, AnalysisOptions options) : options_(std::move(opti
   const bool cuts = options_.precision.arithmetic != Arithmetic::unrounded;
   by_threads(options_.threads, [&] {
     if (!cuts) {
-      mesh_ = std::make_shared<const CutMesh>(uncrossed(std::move(mesh)));
+      mesh_ = std::make_shared<const CutMesh>(taken(std::move(mesh), options_.reflection));
       contacts_.emplace();
       if (options_.sides == SidesPolicy::automatic && is_closed(*mesh_))
         contacts_ = in_stage(options_.hook, Stage::contacts, [&] { return find_contacts(*mesh_); });

@@ -70,22 +70,47 @@ std::string faces_of(const FaceCoincidence& pair) {
   return fmt::format("{} and {}", pair.first.value, pair.second.value);
 }
 
-// Of pairs in one plane, exactly, a rule says which is in front; of others the last digits do.
-void warn_about_faces(const SurfaceDoubts& doubts, std::vector<std::string>& warnings) {
+// Calls with how many pairs there are of a kind, and the first, if there are any.
+template <class Kind, class Say>
+void for_kind(const std::vector<FaceCoincidence>& faces, Kind is_of_kind, Say say) {
+  const auto first = std::ranges::find_if(faces, is_of_kind);
+  if (first != faces.end()) say(static_cast<std::size_t>(std::ranges::count_if(faces, is_of_kind)), *first);
+}
+
+// What is on a grid is not snapped, nor are warped faces, and others that hang together but are too far apart.
+std::string remedy(const AnalysisOptions& options) {
+  if (!options.reflection.snaps) return "set policy = \"snap\" in [coincidence], or move one";
+  return options.precision.arithmetic == Arithmetic::unrounded ? "no one plane is so near to both, so move one"
+                                                               : "leave --arithmetic out, since a grid snaps no faces";
+}
+
+// Of coplanar pairs a rule says which is in front, of others the last digits do.
+void warn_about_faces(const SurfaceDoubts& doubts, const AnalysisOptions& options, std::vector<std::string>& warnings) {
   const auto is_exact = [](const FaceCoincidence& pair) { return pair.distance == 0; };
-  const auto first_in_plane = std::ranges::find_if(doubts.faces, is_exact);
-  const auto first_near = std::ranges::find_if_not(doubts.faces, is_exact);
-  const auto in_plane = static_cast<std::size_t>(std::ranges::count_if(doubts.faces, is_exact));
-  if (first_near != doubts.faces.end())
+  const auto is_open = [](const FaceCoincidence& pair) { return pair.distance > 0 && !pair.is_snapped; };
+  const auto is_snapped = [](const FaceCoincidence& pair) { return pair.distance > 0 && pair.is_snapped; };
+  for_kind(doubts.faces, is_open, [&](std::size_t count, const FaceCoincidence& first) {
     warnings.push_back(
         fmt::format("{} of faces lie on each other but for rounding (closer than {:.3g}; first: {}), so that the last "
-                    "digits of their corners decide which is seen: cut one away, or move it",
-                    pairs(doubts.faces.size() - in_plane), doubts.distance, faces_of(*first_near)));
-  if (first_in_plane != doubts.faces.end())
+                    "digits of their corners decide which is seen: {}",
+                    pairs(count), doubts.distance, faces_of(first), remedy(options)));
+  });
+  for_kind(doubts.faces, is_snapped, [&](std::size_t count, const FaceCoincidence& first) {
     warnings.push_back(
-        fmt::format("{} of faces lie on each other in one plane (first: {}), where a rule says which is seen, until "
-                    "the scene is turned and rounded: cut one away, or move it",
-                    pairs(in_plane), faces_of(*first_in_plane)));
+        fmt::format("{} of faces lie on each other but for rounding (closer than {:.3g}; first: {}), and count as "
+                    "coplanar",
+                    pairs(count), doubts.distance, faces_of(first)));
+  });
+  for_kind(doubts.faces, is_exact, [&](std::size_t count, const FaceCoincidence& first) {
+    const std::string where =
+        fmt::format("{} of faces lie on each other in one plane (first: {}), where a rule says which is seen",
+                    pairs(count), faces_of(first));
+    warnings.push_back(options.reflection.snaps
+                           ? where
+                           : where +
+                                 ", until the scene is turned and rounded: set policy = \"snap\" in [coincidence], "
+                                 "or move one");
+  });
 }
 
 std::string panel_warning(const PanelCoincidence& pair, bool snaps) {
@@ -119,11 +144,11 @@ SurfaceDoubts surface_doubts(const CutMesh& mesh, const MirrorWorld& world, cons
   return doubts;
 }
 
-std::vector<std::string> warnings_of(const SurfaceDoubts& doubts, bool snaps) {
+std::vector<std::string> warnings_of(const SurfaceDoubts& doubts, const AnalysisOptions& options) {
   std::vector<std::string> warnings;
-  warn_about_faces(doubts, warnings);
+  warn_about_faces(doubts, options, warnings);
   for (const PanelCoincidence& pair : doubts.panels) {
-    if (pair.distance > 0) warnings.push_back(panel_warning(pair, snaps));
+    if (pair.distance > 0) warnings.push_back(panel_warning(pair, options.reflection.snaps));
   }
   for (const PanelCoincidence& pair : doubts.near_panels) warnings.push_back(near_panel_warning(pair, doubts.size));
   return warnings;

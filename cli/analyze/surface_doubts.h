@@ -12,6 +12,7 @@
 #include "geometry/cutting/coincidence.h"
 #include "geometry/projection/camera.h"
 #include "reflect/world/mirror_world.h"
+#include "sightline/options.h"
 
 namespace sightline::cli {
 
@@ -43,7 +44,7 @@ struct SurfaceDoubts {
 [[nodiscard]] SurfaceDoubts surface_doubts(const CutMesh& mesh, const MirrorWorld& world,
                                            const ReflectionOptions& options);
 
-[[nodiscard]] std::vector<std::string> warnings_of(const SurfaceDoubts& doubts, bool snaps);
+[[nodiscard]] std::vector<std::string> warnings_of(const SurfaceDoubts& doubts, const AnalysisOptions& options);
 
 // Returns a line if the eye is on a face, or all but; nothing otherwise, and where there is no eye.
 [[nodiscard]] std::optional<std::string> eye_warning(const PolygonMesh& mesh, const Camera& camera, double distance);

@@ -26,7 +26,10 @@ Json warped_json(const WarpedFaces& warped) {
 // Lists the first pairs of faces; there may be as many as there are faces.
 Json coincidences_json(const SurfaceDoubts& doubts, bool snaps) {
   const auto face_pair = [](const FaceCoincidence& pair) -> Json {
-    return {{"faces", {pair.first.value, pair.second.value}}, {"distance", pair.distance}, {"overlap", pair.overlap}};
+    return {{"faces", {pair.first.value, pair.second.value}},
+            {"distance", pair.distance},
+            {"overlap", pair.overlap},
+            {"coplanar", pair.distance == 0 || pair.is_snapped}};
   };
   const auto panel_pair = [](const PanelCoincidence& pair) -> Json {
     Json part = {{"panel", pair.panel}, {"distance", pair.distance}, {"overlap", pair.overlap}};

@@ -84,7 +84,7 @@ class Finder {
     for_each_overlapping_pair(build_hierarchy(boxes), [&](std::uint32_t f, std::uint32_t g) { add(f, g); });
   }
 
-  std::vector<FaceCoincidence> found;  // per pair of facets
+  std::vector<FacetCoincidence> found;
 
  private:
   [[nodiscard]] Corners corners(std::size_t f) const { return corners_of(mesh_, f); }
@@ -95,13 +95,11 @@ class Finder {
   }
 
   void add(std::uint32_t f, std::uint32_t g) {
-    const FaceId first = mesh_.facet_face[f];
-    const FaceId second = mesh_.facet_face[g];
-    if (first == second || !may_be_flush(normals_[f], normals_[g]) || have_same_corners(f, g)) return;
+    if (mesh_.facet_face[f] == mesh_.facet_face[g] || !may_be_flush(normals_[f], normals_[g])) return;
     auto pair = coincidence_across(normals_[f], corners(f), corners(g), distance_);
     if (!pair) return;
     if (are_in_one_plane(f, g)) pair->distance = 0;
-    found.push_back({*pair, first, second});
+    found.push_back({*pair, FacetId(f), FacetId(g)});
   }
 
   // Exactly.
@@ -112,19 +110,25 @@ class Finder {
     });
   }
 
-  [[nodiscard]] bool have_same_corners(std::uint32_t f, std::uint32_t g) const {
-    const auto of_f = mesh_.corners(FacetId(f));
-    const auto of_g = mesh_.corners(FacetId(g));
-    const auto is_of_g = [&](VertexId v) {
-      return std::ranges::any_of(of_g, [&](VertexId w) { return mesh_.weld[v.index()] == mesh_.weld[w.index()]; });
-    };
-    return of_f.size() == of_g.size() && std::ranges::all_of(of_f, is_of_g);
-  }
-
   const PolygonMesh& mesh_;
   double distance_;
   std::vector<Vector3> normals_;
 };
+
+bool have_same_corners(const PolygonMesh& mesh, FacetId f, FacetId g) {
+  const auto of_f = mesh.corners(f);
+  const auto of_g = mesh.corners(g);
+  const auto is_of_g = [&](VertexId v) {
+    return std::ranges::any_of(of_g, [&](VertexId w) { return mesh.weld[v.index()] == mesh.weld[w.index()]; });
+  };
+  return of_f.size() == of_g.size() && std::ranges::all_of(of_f, is_of_g);
+}
+
+FaceCoincidence of_faces(const CutMesh& mesh, const FacetCoincidence& pair) {
+  const bool is_snapped = !mesh.snapped_to.empty() &&
+                          mesh.plane_of(mesh.uncut_facet(pair.first)) == mesh.plane_of(mesh.uncut_facet(pair.second));
+  return {pair, mesh.facet_face[pair.first.index()], mesh.facet_face[pair.second.index()], is_snapped};
+}
 
 // Returns a pair of faces once, however many of their facets meet.
 std::vector<FaceCoincidence> joined(std::vector<FaceCoincidence> pairs) {
@@ -138,6 +142,7 @@ std::vector<FaceCoincidence> joined(std::vector<FaceCoincidence> pairs) {
     }
     result.back().distance = std::max(result.back().distance, pair.distance);
     result.back().overlap += pair.overlap;
+    result.back().is_snapped = result.back().is_snapped && pair.is_snapped;
   }
   return result;
 }
@@ -151,10 +156,18 @@ std::optional<Coincidence> coincidence_of(std::span<const Point3> a, std::span<c
 }
 
 // The order in which pairs are found is that of the boxes' hierarchy, so the sums do not depend on anything else.
-std::vector<FaceCoincidence> find_coincidences(const PolygonMesh& mesh, double distance) {
+std::vector<FaceCoincidence> find_coincidences(const CutMesh& mesh, double distance) {
+  std::vector<FaceCoincidence> pairs;
+  for (const FacetCoincidence& pair : coincident_facets(mesh, distance)) {
+    if (!have_same_corners(mesh, pair.first, pair.second)) pairs.push_back(of_faces(mesh, pair));
+  }
+  return joined(std::move(pairs));
+}
+
+std::vector<FacetCoincidence> coincident_facets(const PolygonMesh& mesh, double distance) {
   Finder finder(mesh, distance);
   finder.run();
-  return joined(std::move(finder.found));
+  return std::move(finder.found);
 }
 
 namespace {

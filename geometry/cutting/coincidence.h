@@ -6,7 +6,7 @@
 // In:  convex polygons, or the faces of a mesh, and a distance.
 // Out: the pairs that overlap, seen across, and are nowhere in their overlap further apart than the distance. An overlap is one that
 //      holds a circle, the radius of which is `least_overlap` distances: what is narrower, as where two faces meet in an edge,
-//      is none. Faces with the same corners, one of them turned, are a pair by design, and not listed.
+//      is none. Faces with the same corners, one of them turned, are a pair by design, and not listed as faces.
 // Approximate: computed in double, a few roundings of the coordinates' size; nothing that is decided behind the door rests on it.
 // Complexity: O(n log n) and the pairs whose boxes come closer than the distance.
 #pragma once
@@ -15,7 +15,7 @@
 #include <span>
 #include <vector>
 
-#include "geometry/mesh/mesh.h"
+#include "geometry/mesh/cut_mesh.h"
 #include "geometry/numbers/export.h"
 
 namespace sightline::inline geometry {
@@ -27,9 +27,15 @@ struct Coincidence {
   double overlap = 0;   // its area
 };
 
+struct FacetCoincidence : Coincidence {
+  FacetId first;  // the lower index
+  FacetId second;
+};
+
 struct FaceCoincidence : Coincidence {
   FaceId first;  // the lower index
   FaceId second;
+  bool is_snapped = false;  // both count as coplanar (CutMesh::snapped_to)
 };
 
 // The polygons are convex and planar, in either orientation.
@@ -41,7 +47,10 @@ struct FaceCoincidence : Coincidence {
                                                             double distance);
 
 // The pairs are sorted.
-[[nodiscard]] SIGHTLINE_EXPORT std::vector<FaceCoincidence> find_coincidences(const PolygonMesh& mesh, double distance);
+[[nodiscard]] SIGHTLINE_EXPORT std::vector<FaceCoincidence> find_coincidences(const CutMesh& mesh, double distance);
+
+// The same of facets of different faces, in the order in which they are found; those with the same corners are pairs, too.
+[[nodiscard]] std::vector<FacetCoincidence> coincident_facets(const PolygonMesh& mesh, double distance);
 
 // Returns the length of the diagonal of the box around all faces: the scene's size.
 [[nodiscard]] SIGHTLINE_EXPORT double size_of(const PolygonMesh& mesh);

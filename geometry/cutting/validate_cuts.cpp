@@ -141,6 +141,19 @@ Mesh as_given(const PolygonMesh& mesh) {
   return given;
 }
 
+void check_snapped(const CutMesh& mesh, Messages& messages) {
+  if (mesh.snapped_to.empty()) return;
+  if (mesh.snapped_to.size() != mesh.uncut_facet_count()) {
+    messages.emplace_back("snapped: not one plane per uncut facet");
+    return;
+  }
+  for (std::size_t u = 0; u < mesh.snapped_to.size(); ++u) {
+    const UncutFacetId plane = mesh.snapped_to[u];
+    if (plane.index() >= mesh.snapped_to.size() || mesh.is_snapped(plane))
+      messages.push_back(name(UncutFacetId(u)) + " is snapped to a plane that is no facet's own");
+  }
+}
+
 }  // namespace
 
 void check_cuts(const CutMesh& mesh, std::vector<std::string>& messages) { CutsCheck(mesh, messages).run(); }
@@ -148,8 +161,9 @@ void check_cuts(const CutMesh& mesh, std::vector<std::string>& messages) { CutsC
 // What is said of positions holds of the mesh before it was cut; of the pieces it holds exactly, and of the numbering for
 // both.
 std::vector<std::string> validate(const CutMesh& mesh) {
-  if (!mesh.is_cut()) return validate(as_given(mesh));
-  Messages messages = check_arrays(mesh);
+  Messages messages = mesh.is_cut() ? check_arrays(mesh) : validate(as_given(mesh));
+  if (messages.empty()) check_snapped(mesh, messages);
+  if (!mesh.is_cut()) return messages;
   if (messages.empty()) messages = validate(without_cuts(mesh));
   if (messages.empty()) check_facet_edges(mesh, messages);
   if (messages.empty()) check_numbering(mesh, messages);

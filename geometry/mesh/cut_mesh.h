@@ -27,6 +27,9 @@ struct FacetCuts {
 
 struct CutMesh : PolygonMesh {
   FacetCuts cuts;
+  // Per uncut facet the one whose plane is its own in the order of depth, so that both are coplanar there (snapped_planes.h);
+  // empty where nothing is snapped. In everything else a facet has its own plane.
+  std::vector<UncutFacetId> snapped_to;
 
   [[nodiscard]] bool is_cut() const { return !cuts.uncut_facet_of.empty(); }
   [[nodiscard]] std::size_t input_vertex_count() const { return vertices.size() - cuts.points.size(); }
@@ -39,6 +42,8 @@ struct CutMesh : PolygonMesh {
   [[nodiscard]] std::span<const VertexId> uncut_corners(UncutFacetId u) const {
     return is_cut() ? cuts.uncut_facets[u.index()] : corners(FacetId(u.index()));
   }
+  [[nodiscard]] UncutFacetId plane_of(UncutFacetId u) const { return snapped_to.empty() ? u : snapped_to[u.index()]; }
+  [[nodiscard]] bool is_snapped(UncutFacetId u) const { return plane_of(u) != u; }
   // The pieces of an uncut facet are consecutive: [first_piece, end_piece).
   [[nodiscard]] FacetId first_piece(UncutFacetId u) const {
     return is_cut() ? cuts.first_facet[u.index()] : FacetId(u.index());

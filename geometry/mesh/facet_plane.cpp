@@ -16,6 +16,10 @@ std::array<VertexId, 3> plane_corners(const CutMesh& mesh, FacetId facet) {
   return plane_corners(mesh, mesh.uncut_corners(mesh.uncut_facet(facet)));
 }
 
+std::array<VertexId, 3> depth_plane_corners(const CutMesh& mesh, FacetId facet) {
+  return plane_corners(mesh, mesh.uncut_corners(mesh.plane_of(mesh.uncut_facet(facet))));
+}
+
 Sign side_of_plane(const CutMesh& mesh, FacetId facet, const HomogeneousPoint& p) {
   const auto [a, b, c] = plane_corners(mesh, facet);
   return orient3d(mesh.position(a), mesh.position(b), mesh.position(c), p);

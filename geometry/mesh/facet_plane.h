@@ -15,6 +15,9 @@ namespace sightline::inline geometry {
 // orientation; a facet is convex and not degenerate, so they exist.
 [[nodiscard]] std::array<VertexId, 3> plane_corners(const CutMesh& mesh, FacetId facet);
 
+// The same of the plane that is the facet's in the order of depth (CutMesh::snapped_to), in the orientation of whose it is.
+[[nodiscard]] std::array<VertexId, 3> depth_plane_corners(const CutMesh& mesh, FacetId facet);
+
 // Returns the side of the facet's plane on which p lies: +1 where the facet is counter-clockwise seen from p.
 [[nodiscard]] Sign side_of_plane(const CutMesh& mesh, FacetId facet, const HomogeneousPoint& p);
 

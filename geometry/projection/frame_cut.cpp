@@ -338,6 +338,7 @@ CutMesh cut_along_frame(const CutMesh& mesh, const Camera& camera) {
   }
   CutMesh cut = any ? mesh_of_pieces(mesh, pieces) : mesh;
   cut.cuts.outside_frame = std::move(outside);
+  cut.snapped_to = mesh.snapped_to;
   return cut;
 }
 

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "geometry/mesh/facet_plane.h"
+#include "geometry/numbers/exact_position.h"
 #include "geometry/numbers/parallel.h"
 #include "geometry/projection/clipping.h"
 #include "geometry/projection/scene_edges.h"
@@ -52,6 +53,20 @@ FacetFacing facing_of(const CutMesh& mesh, const Camera& camera, FacetId facet, 
     side = unfiltered::orient3d(arithmetic, mesh.position(a), mesh.position(b), mesh.position(c), camera.eye);
   }
   return side > 0 ? FacetFacing::front : (side < 0 ? FacetFacing::back : FacetFacing::edge_on);
+}
+
+// Returns whether every ray through the facet meets the plane that is its own in the order of depth, before the eye.
+bool has_depths(const CutMesh& mesh, const Camera& camera, FacetId facet) {
+  const auto [a, b, c] = depth_plane_corners(mesh, facet);
+  if (seen_orientation(camera, mesh.position(a), mesh.position(b), mesh.position(c)) == 0) return false;
+  if (camera.projection == Projection::orthographic) return true;
+  const ExactPlane plane = plane_through(exact_position(mesh, a), exact_position(mesh, b), exact_position(mesh, c));
+  const ExactPosition eye = exact_position(camera.origin);
+  const BigInteger eye_height = plane.height(eye);
+  return std::ranges::all_of(mesh.uncut_corners(mesh.uncut_facet(facet)), [&](VertexId v) {
+    const ExactPosition corner = exact_position(mesh, v);
+    return sign_of(BigInteger(eye_height * corner.w - plane.height(corner) * eye.w)) == sign_of(eye_height);
+  });
 }
 
 struct OutcodeSummary {
@@ -140,6 +155,7 @@ class SceneBuilder {
   [[nodiscard]] FacetStatus status_of(FacetId f) const {
     const FacetFacing facing = scene_.facing[f.index()];
     if (facing == FacetFacing::edge_on) return FacetStatus::edge_on;
+    if (mesh_.is_snapped(mesh_.uncut_facet(f)) && !has_depths(mesh_, scene_.camera, f)) return FacetStatus::edge_on;
     if (facing == FacetFacing::back && scene_.sides_shown == Sides::front) return FacetStatus::culled;
     const auto& outside = mesh_.cuts.outside_frame;
     if (!outside.empty() && outside[f.index()] != 0) return FacetStatus::out_of_view;

@@ -43,8 +43,8 @@ enum class FacetFacing : std::uint8_t { front, back, edge_on };
 enum class FacetStatus : std::uint8_t {
   in_view,      // swept: some of it lies in the view volume
   out_of_view,  // none of it lies in the view volume, or it only touches its border
-  edge_on,      // the eye is in its plane: it shows no area
-  culled,       // back-facing, and the scene shows front sides only
+  edge_on,  // the eye is in its plane, or, of a facet that is snapped to another one's, between both: it shows no area
+  culled,   // back-facing, and the scene shows front sides only
 };
 
 // The sides say whether back-facing facets are seen and in the way (both) or neither (front).

@@ -102,7 +102,7 @@ std::vector<ImagePolygon> Mirror::shadows(const WindowPart& part, std::size_t pa
   const Pyramid pyramid(forms_, widened(part, scene_.grid_bits));
   std::vector<ImagePolygon> shadows;
   for (const UncutFacetId obstacle : world_.obstacles.in([&](const Box& box) { return pyramid.may_touch(box); })) {
-    if (world_.is_snapped(panel, obstacle)) continue;
+    if (world_.is_snapped(panel, obstacle) || world_.is_snapped_to_mirror(surface_, obstacle)) continue;
     ++statistics.obstacles;
     add_if_any(shadows, shadow(*world_.surface, obstacle, image));
   }

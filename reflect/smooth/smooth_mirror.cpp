@@ -160,7 +160,8 @@ std::vector<ConvexPart> SmoothMirror::shadows(const BentMirror& mirror, const Ra
     }
   };
   for (const UncutFacetId facet : world_.obstacles.in(may_reach)) {
-    if (!world_.is_snapped(panel.panel, facet)) add(*world_.surface, world_.panels.size(), facet);
+    if (world_.is_snapped(panel.panel, facet) || world_.is_snapped_to_mirror(surface_, facet)) continue;
+    add(*world_.surface, world_.panels.size(), facet);
   }
   for (std::size_t p = 0; p < world_.panels.size(); ++p) {
     if (p == panel.panel || world_.is_in_plane(panel.panel, p) || world_.is_snapped_surface(p, surface_)) continue;

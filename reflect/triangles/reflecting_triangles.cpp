@@ -93,6 +93,28 @@ class VertexSearch {
   std::vector<VertexId> vertices_;
 };
 
+// Corners of what counts as in one plane with other surfaces (CutMesh::snapped_to): they are in it, though rounding has them off.
+class SnappedCorners {
+ public:
+  SnappedCorners(const CutMesh& mesh, const LabelledMesh& labelled) : mesh_(mesh) {
+    if (mesh.snapped_to.empty()) return;
+    for (const LabelledTriangle& t : labelled.triangles) {
+      for (const VertexId v : t.corners) planes_.emplace_back(v, plane_of(t.surface));
+    }
+    std::ranges::sort(planes_);
+  }
+
+  [[nodiscard]] bool is_in_plane(VertexId corner, FacetId surface) const {
+    return !planes_.empty() && std::ranges::binary_search(planes_, std::pair(corner, plane_of(surface)));
+  }
+
+ private:
+  [[nodiscard]] UncutFacetId plane_of(FacetId surface) const { return mesh_.plane_of(mesh_.uncut_facet(surface)); }
+
+  const CutMesh& mesh_;
+  std::vector<std::pair<VertexId, UncutFacetId>> planes_;
+};
+
 class Marker {
  public:
   Marker(const MirrorWorld& world, const Camera& camera, const LabelledMesh& labelled, ReflectionStatistics& statistics)
@@ -100,6 +122,7 @@ class Marker {
         labelled_(labelled),
         statistics_(statistics),
         vertices_(labelled, world.scale),
+        snapped_corners_(*world.surface, labelled),
         forward_(camera.forward),
         eye_(camera.eye) {
     if (eye_.w != 0) eye_.xyz = world.scale * eye_.xyz;
@@ -150,7 +173,8 @@ class Marker {
     bool blocked = false;
     vertices_.for_each_in(VertexPyramid(corners, eye_, targets_[panel].plane()), [&](VertexId v) {
       ++statistics_.obstacles;
-      blocked = blocked || std::ranges::find(triangle.corners, v) == triangle.corners.end();
+      blocked = blocked || (std::ranges::find(triangle.corners, v) == triangle.corners.end() &&
+                            !snapped_corners_.is_in_plane(v, triangle.surface));
     });
     statistics_.blocked += blocked ? 1 : 0;
     return blocked;
@@ -160,6 +184,7 @@ class Marker {
   const LabelledMesh& labelled_;
   ReflectionStatistics& statistics_;
   VertexSearch vertices_;
+  SnappedCorners snapped_corners_;
   Vector3 forward_ = Vector3::Zero();
   HomogeneousPoint eye_;
   std::vector<PanelTarget> targets_;

@@ -73,6 +73,10 @@ bool MirrorWorld::is_snapped_surface(std::size_t panel, FacetId mirror) const {
   return false;
 }
 
+bool MirrorWorld::is_snapped_to_mirror(FacetId mirror, UncutFacetId facet) const {
+  return !surface->snapped_to.empty() && surface->plane_of(facet) == surface->plane_of(surface->uncut_facet(mirror));
+}
+
 bool MirrorWorld::is_in_plane(std::size_t panel, std::size_t other) const {
   if (options.snaps && std::ranges::binary_search(flush[panel].panels, other, {}, &FlushPanel::panel)) return true;
   const std::vector<Point3>& corners = panels[other].corners;

@@ -40,6 +40,9 @@ struct MirrorWorld {
   [[nodiscard]] bool is_snapped(std::size_t panel, UncutFacetId facet) const;
   // Returns whether some facet of the surface does: then the surface does not mirror the panel.
   [[nodiscard]] bool is_snapped_surface(std::size_t panel, FacetId mirror) const;
+  // Returns whether the facet counts as in the mirror's plane, though rounding has it off that: then it hides nothing that the
+  // mirror shows (snapped_planes.h).
+  [[nodiscard]] bool is_snapped_to_mirror(FacetId mirror, UncutFacetId facet) const;
   // Returns whether another panel counts as in the panel's plane, where of both the first one is in front: it is snapped, or has the
   // same corners. (Others are in the plane where their corners are, exactly.)
   [[nodiscard]] bool is_in_plane(std::size_t panel, std::size_t other) const;

@@ -31,8 +31,9 @@ struct ReflectionOptions {
   // plain, as published, for triangles.
   std::optional<NormalMeans> means = std::nullopt;
   std::optional<double> crease_angle_degrees = std::nullopt;
-  // Panels that lie on a face, or on each other, no further apart than this share of the surface's size, are found; where `snaps`
-  // they count as in one plane: panels win over the surface, and the first one over others.
+  // Panels and faces that lie on a face, or on each other, no further apart than this share of the surface's size, are found; where
+  // `snaps` they count as in one plane: panels win over the surface, the first one over others, and of faces those that the rule of
+  // coplanar faces says.
   double coincidence = 1e-9;
   bool snaps = false;
 

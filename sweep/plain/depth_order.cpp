@@ -15,7 +15,8 @@ DepthOrder::DepthOrder(const ProjectedScene& scene, std::span<const DepthRange> 
       camera_(scene.camera),
       facing_(scene.facing),
       pieces_(scene),
-      ranges_(ranges) {}
+      ranges_(ranges),
+      snapped_(mesh_.snapped_to.empty() ? nullptr : std::make_unique<SnappedOrder>(scene)) {}
 
 bool DepthOrder::is_turned(UncutFacetId u) const { return facing_[mesh_.first_piece(u).index()] == FacetFacing::back; }
 
@@ -49,13 +50,29 @@ DepthRelation DepthOrder::relation_of_lower(FacetId f, FacetId g) {
 
 // Precondition: as above. Where they pass through each other, somebody else says who is nearer.
 DepthRelation DepthOrder::relation_of_uncut(UncutFacetId f, UncutFacetId g) {
+  if (is_any_snapped(f, g)) return relation_of_snapped(f, g);
   const Evidence of_f = corners_against_plane(f, g);
-  if (of_f.front == 0 && of_f.behind == 0) return {!is_turned(f) || is_turned(g), false};
+  if (of_f.front == 0 && of_f.behind == 0) return relation_in_plane(f, g);
   if (of_f.front == 0 || of_f.behind == 0) return {of_f.front > 0, false};
   const Evidence of_g = corners_against_plane(g, f);
   if (of_g.front == 0 || of_g.behind == 0) return {of_g.behind > 0, false};
+  return relation_where_seen(overlap_evidence(f, g));
+}
+
+// Precondition: as above. One of both is snapped.
+DepthRelation DepthOrder::relation_of_snapped(UncutFacetId f, UncutFacetId g) {
+  if (mesh_.plane_of(f) == mesh_.plane_of(g)) return relation_in_plane(f, g);
   const Evidence seen = overlap_evidence(f, g);
+  return seen.front == 0 && seen.behind == 0 ? relation_in_plane(f, g) : relation_where_seen(seen);
+}
+
+DepthRelation DepthOrder::relation_where_seen(const Evidence& seen) const {
   return {seen.front >= seen.behind, local_ != nullptr && seen.front > 0 && seen.behind > 0};
+}
+
+// Precondition: as above. Of what is in one plane and turned alike the lower index is in front.
+DepthRelation DepthOrder::relation_in_plane(UncutFacetId f, UncutFacetId g) const {
+  return {!is_turned(f) || is_turned(g), false};
 }
 
 void DepthOrder::set_local_order(LocalOrder* local) {
@@ -84,13 +101,18 @@ DepthOrder::Evidence DepthOrder::corners_against_plane(UncutFacetId f, UncutFace
 DepthOrder::Evidence DepthOrder::overlap_evidence(UncutFacetId f, UncutFacetId g) {
   Evidence evidence;
   for (const VertexId v : mesh_.uncut_corners(f)) {
-    if (covers(g, v)) evidence.add(side_towards_eye(g, v));
+    if (covers(g, v)) evidence.add(nearer_at_corner(f, g, v));
   }
   for (const VertexId v : mesh_.uncut_corners(g)) {
-    if (covers(f, v)) evidence.add(-side_towards_eye(f, v));
+    if (covers(f, v)) evidence.add(-nearer_at_corner(g, f, v));
   }
   add_edge_crossings(f, g, evidence);
   return evidence;
+}
+
+Sign DepthOrder::nearer_at_corner(UncutFacetId f, UncutFacetId g, VertexId v) {
+  if (!is_any_snapped(f, g)) return side_towards_eye(g, v);
+  return snapped_->nearer_at(mesh_.first_piece(f), mesh_.first_piece(g), v);
 }
 
 // Returns whether the ray from the eye to v meets the facet, its border included.
@@ -119,7 +141,9 @@ void DepthOrder::add_edge_crossings(UncutFacetId f, UncutFacetId g, Evidence& ev
       const Sign abc = seen_orientation(a, b, c);
       if (abc == 0 || seen_orientation(a, b, d) != -abc) continue;
       if (seen_orientation(c, d, b) != abc || seen_orientation(c, d, a) != -abc) continue;
-      evidence.add(-abc * orientation(a, b, c, {mesh_.position(d), 1}));
+      evidence.add(is_any_snapped(f, g)
+                       ? snapped_->nearer_at_crossing(mesh_.first_piece(f), mesh_.first_piece(g), a, b, c, d)
+                       : -abc * orientation(a, b, c, {mesh_.position(d), 1}));
     }
   }
 }

@@ -4,14 +4,16 @@
 //      each other either.
 // Out: whether the first is nearer to the eye there.
 // Holds: facets that do not pass through each other have one order wherever they overlap, since both are convex and
-// planar; so the answer does not depend on the place. nearer(f, g) != nearer(g, f). Of coplanar facets
-// one whose front the eye sees is in front of one that is turned away; of two alike the lower face index is in front. Pieces of facets that were cut along common lines have the order of the uncut facets, or, where these
-// cross, one of their own (piece_order.h).
+// planar; so the answer does not depend on the place. nearer(f, g) != nearer(g, f). Of coplanar facets one whose front the
+// eye sees is in front of one that is turned away; of two alike the lower face index is in front. Pieces of facets that were
+// cut along common lines have the order of the uncut facets, or, where these cross, one of their own (piece_order.h).
 // Method: if all of one facet is less deep than all of the other (depth_ranges.h), it is nearer. If all of one facet is
 // on one side of the other's plane, that side decides. Otherwise they straddle each other's planes, and a place where
 // they overlap is found: a corner of one within the other, or edges of both that cross, seen from the eye. Such a place
 // shows the order by one orient3d. Facets that overlap in the rounded image only (narrower than the grid) show no
 // place; the lower facet index is in front.
+// Where one of the facets counts as in the plane of another (CutMesh::snapped_to), all places show the order, and their depths there
+// are compared (snapped_order.h).
 // Departure from Fang's appendix B, which compares depths at the sweep point: that needs the rounded point lifted, and
 // cannot be exact.
 // With a local order facets may pass through each other, too; for these it is asked each time: for those that are in front in
@@ -22,6 +24,7 @@
 
 #include <array>
 #include <limits>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -30,6 +33,7 @@
 #include "geometry/projection/projected_scene.h"
 #include "sweep/plain/depth_ranges.h"
 #include "sweep/plain/piece_order.h"
+#include "sweep/plain/snapped_order.h"
 
 namespace sightline::inline sweep {
 
@@ -86,9 +90,17 @@ class DepthOrder {
   }
   [[nodiscard]] DepthRelation relation_of_lower(FacetId f, FacetId g);
   [[nodiscard]] DepthRelation relation_of_uncut(UncutFacetId f, UncutFacetId g);
+  [[nodiscard]] DepthRelation relation_of_snapped(UncutFacetId f, UncutFacetId g);
+  [[nodiscard]] DepthRelation relation_where_seen(const Evidence& seen) const;
+  [[nodiscard]] DepthRelation relation_in_plane(UncutFacetId f, UncutFacetId g) const;
+  [[nodiscard]] bool is_any_snapped(UncutFacetId f, UncutFacetId g) const {
+    return mesh_.is_snapped(f) || mesh_.is_snapped(g);
+  }
   [[nodiscard]] DepthRelation known_relation(UncutFacetId f, UncutFacetId g);
   [[nodiscard]] Evidence corners_against_plane(UncutFacetId f, UncutFacetId g);
   [[nodiscard]] Evidence overlap_evidence(UncutFacetId f, UncutFacetId g);
+  // Returns +1 where f is the nearer one on the ray to v, a corner of f.
+  [[nodiscard]] Sign nearer_at_corner(UncutFacetId f, UncutFacetId g, VertexId v);
   [[nodiscard]] bool covers(UncutFacetId f, VertexId v);
   void add_edge_crossings(UncutFacetId f, UncutFacetId g, Evidence& evidence);
   // Returns three corners, so turned that the eye sees them counter-clockwise.
@@ -104,6 +116,7 @@ class DepthOrder {
   PieceOrder pieces_;
   const std::span<const DepthRange> ranges_;
   LocalOrder* local_ = nullptr;
+  std::unique_ptr<SnappedOrder> snapped_;  // where facets are
   // With a local order the same pairs are asked for often. One of several pairs with one place here is remembered: no facet
   // is less than itself, so a pair of zeros is none.
   struct Known {

@@ -13,6 +13,11 @@ CrossingNames::Name unordered_pair(std::uint32_t a, std::uint32_t b) { return pa
 
 }  // namespace
 
+// Its edges are then not in the plane.
+bool CrossingNames::has_snapped_plane(FacetId facet) const {
+  return scene_.mesh().is_snapped(scene_.mesh().uncut_facet(facet));
+}
+
 CrossingNames::Name CrossingNames::of(EdgeId a, EdgeId b) {
   Name name = unordered_pair(line_of(a).value, line_of(b).value);
   for (const auto& [e, swap] : {std::pair(a, b), std::pair(b, a)}) {
@@ -49,7 +54,7 @@ std::optional<CrossingNames::Name> CrossingNames::passage(EdgeId e, EdgeId swap)
   if (is_swap_edge(e) || !is_swap_edge(swap)) return std::nullopt;
   const auto [first, second] = planes_of(swap);
   for (const EdgeSide& side : scene_.sides_of(e)) {
-    if (!side.mesh_edge.valid()) continue;
+    if (!side.mesh_edge.valid() || has_snapped_plane(side.facet)) continue;
     const FacetId plane = plane_of(surface_of(scene_.mesh(), side.facet));
     if (plane == first) return pair(side.mesh_edge.value, second.value);
     if (plane == second) return pair(side.mesh_edge.value, first.value);

@@ -33,6 +33,7 @@ class CrossingNames {
 
  private:
   [[nodiscard]] bool is_swap_edge(EdgeId e) const { return e.index() >= scene_.edge_count(); }
+  [[nodiscard]] bool has_snapped_plane(FacetId facet) const;
   [[nodiscard]] FacetId plane_of(FacetId surface);
   [[nodiscard]] std::array<FacetId, 2> planes_of(EdgeId swap);
   [[nodiscard]] EdgeId line_of(EdgeId e);

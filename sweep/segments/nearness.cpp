@@ -23,7 +23,7 @@ Nearness<Number> nearness_of_plane(Projection projection, const Vector& normal, 
 // The ways along the plane are taken before they are turned into the camera's coordinates: small facets that are far away
 // would else lose what they have of bits.
 std::optional<Nearness<Bounded>> bounded_nearness(const ProjectedScene& scene, FacetId surface) {
-  const auto corners = plane_corners(scene.mesh(), surface);
+  const auto corners = depth_plane_corners(scene.mesh(), surface);
   const CameraForms<Bounded> forms(scene.camera);
   const auto position = [&](std::size_t i) { return bounded(scene.mesh().position(corners[i])); };
   const auto in_camera = [&](const BoundedVector& way) {
@@ -44,7 +44,7 @@ const Nearness<BigInteger>& ExactNearness::of(FacetId surface) {
   const auto [known, is_new] = known_.try_emplace(surface.value);
   if (!is_new) return known->second;
   using Vector = CameraForms<BigInteger>::Vector;
-  const auto corners = plane_corners(scene_.mesh(), surface);
+  const auto corners = depth_plane_corners(scene_.mesh(), surface);
   std::array<ExactCorner, 3> p;
   std::ranges::transform(corners, p.begin(), [&](VertexId v) { return corners_.of(scene_.mesh(), v); });
   const auto place = [&](std::size_t i) { return Vector(p[i].x, p[i].y, p[i].depth); };

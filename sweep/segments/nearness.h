@@ -1,6 +1,6 @@
 // How near the plane of a surface is to the eye, as a linear form of the place in the image.
 //
-// In:  a scene; surfaces (facet_plane.h) that are not edge-on.
+// In:  a scene; surfaces (facet_plane.h) that are not edge-on. Their planes are those that they have in the order of depth.
 // Out: at the place (x, y) of the image (a x + b y + c) / k, k > 0: 1 / W in perspective, minus the depth otherwise; with bounds,
 //      and exactly.
 // Method: in the camera's coordinates P = (X, Y, depth) the plane through P0, with the normal n = (P1 - P0) x (P2 - P0), is

@@ -11,7 +11,10 @@ SeenInSpace::SeenInSpace(const ProjectedScene& scene, const std::vector<SwapEdge
 }
 
 SeenInSpace::Plane SeenInSpace::plane_of(FacetId facet) const {
-  const auto corners = plane_corners(scene_.mesh(), facet);
+  return plane_through(plane_corners(scene_.mesh(), facet));
+}
+
+SeenInSpace::Plane SeenInSpace::plane_through(const std::array<VertexId, 3>& corners) const {
   const auto position = [&](std::size_t i) { return in_words(scene_.mesh().position(corners[i])); };
   const DoubleWordVector first = position(0);
   const DoubleWordVector to_second = position(1) - first;
@@ -31,8 +34,8 @@ std::optional<SeenInSpace::Plane> SeenInSpace::plane_through_eye(EdgeId e) const
 // With F and G the forms of both planes, and their values at the eye, F(P) G(eye) - G(P) F(eye) is zero there and where they
 // meet.
 SeenInSpace::Plane SeenInSpace::plane_of_swap(const SwapEdge& swap) const {
-  const Plane f = plane_of(swap.surfaces[0]);
-  const Plane g = plane_of(swap.surfaces[1]);
+  const Plane f = plane_through(depth_plane_corners(scene_.mesh(), swap.surfaces[0]));
+  const Plane g = plane_through(depth_plane_corners(scene_.mesh(), swap.surfaces[1]));
   const DoubleWord f_at_eye = at_eye(f);
   const DoubleWord g_at_eye = at_eye(g);
   return {f.normal * g_at_eye - g.normal * f_at_eye, f.corner, -(g.at(f.corner) * f_at_eye)};

@@ -60,6 +60,7 @@ class SeenInSpace {
   [[nodiscard]] bool is_of_input(VertexId v) const {
     return v.valid() && v.index() < scene_.mesh().input_vertex_count();
   }
+  [[nodiscard]] Plane plane_through(const std::array<VertexId, 3>& corners) const;
   [[nodiscard]] Plane plane_of_swap(const SwapEdge& swap) const;
   [[nodiscard]] DoubleWord at_eye(const Plane& plane) const;
 
