@@ -72,22 +72,44 @@ class Collector {
   Collector(const PolygonMesh& mesh, const Camera& camera, Sides sides)
       : mesh_(mesh), camera_(camera), sides_(sides), exact_(exact_camera(mesh, camera)) {}
 
-  void add(FaceId face, std::span<const VertexId> polygon) {
-    std::vector<CameraPoint> corners;
-    for (const VertexId v : polygon) corners.push_back(camera_point(exact_, mesh_.position(v)));
+  // in_plane_of: a polygon in whose plane this one has its depths.
+  void add(FaceId face, std::span<const VertexId> polygon, std::span<const VertexId> in_plane_of) {
+    std::vector<CameraPoint> corners = points_of(polygon);
     Plane plane = plane_of(corners);
     const int facing = plane.n.sign() * exact_.handedness;
     if (facing == 0 || (facing < 0 && sides_ == Sides::front)) return;
-    if (plane.n < 0) {
-      std::reverse(corners.begin(), corners.end());
-      plane = {-plane.a, -plane.b, -plane.n, -plane.d};
-    }
+    if (plane.n < 0) std::reverse(corners.begin(), corners.end());
+    plane = upright(plane);
+    const std::size_t seen_before = faces.size();
     add(face, reduced(plane), corners, facing > 0);
+    if (faces.size() == seen_before || in_plane_of.data() == polygon.data()) return;
+    const Plane of_depths = upright(plane_of(points_of(in_plane_of)));
+    if (of_depths.n == 0 || !is_before_eye(of_depths, corners)) return faces.pop_back();
+    faces.back().plane = reduced(of_depths);
   }
 
   std::vector<SeenFace> faces;
 
  private:
+  [[nodiscard]] std::vector<CameraPoint> points_of(std::span<const VertexId> polygon) const {
+    std::vector<CameraPoint> points;
+    for (const VertexId v : polygon) points.push_back(camera_point(exact_, mesh_.position(v)));
+    return points;
+  }
+
+  [[nodiscard]] static Plane upright(const Plane& plane) {
+    return plane.n < 0 ? Plane{-plane.a, -plane.b, -plane.n, -plane.d} : plane;
+  }
+
+  // Parallel rays meet every plane somewhere.
+  [[nodiscard]] bool is_before_eye(const Plane& plane, const std::vector<CameraPoint>& corners) const {
+    if (camera_.projection == Projection::orthographic) return true;
+    return std::ranges::all_of(corners, [&](const CameraPoint& p) {
+      const auto& [x, y, w] = p.place;
+      return plane.a * x + plane.b * y + plane.d * w < 0;
+    });
+  }
+
   void add(FaceId face, const Plane& plane, const std::vector<CameraPoint>& corners, bool is_front) {
     std::vector<Point> places;
     for (const CameraPoint& p : corners) places.push_back(reduced(p.place));
@@ -103,17 +125,22 @@ class Collector {
 
 }  // namespace
 
-std::vector<SeenFace> seen_faces(const PolygonMesh& mesh, const Camera& camera, Sides sides) {
+std::vector<SeenFace> seen_faces(const PolygonMesh& mesh, const Camera& camera, Sides sides,
+                                 const std::vector<FacetId>& planes) {
   Collector collector(mesh, camera, sides);
+  const auto polygon_of_plane = [&](std::size_t facet, std::span<const VertexId> own) {
+    return planes.empty() || planes[facet].index() == facet ? own : mesh.corners(planes[facet]);
+  };
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
     const FaceId face(f);
     const std::size_t first = mesh.first_facet(face);
     const std::size_t end = mesh.end_facet(face);
     if (first == end) continue;
     if (mesh.face_planar[f] != 0) {
-      collector.add(face, mesh.faces[f]);
+      collector.add(face, mesh.faces[f], polygon_of_plane(first, mesh.faces[f]));
     } else {
-      for (std::size_t k = first; k < end; ++k) collector.add(face, mesh.corners(FacetId(k)));
+      for (std::size_t k = first; k < end; ++k)
+        collector.add(face, mesh.corners(FacetId(k)), polygon_of_plane(k, mesh.corners(FacetId(k))));
     }
   }
   return std::move(collector.faces);

@@ -29,7 +29,9 @@ struct SeenFace {
   bool is_front = true;  // the eye sees its front
 };
 
-[[nodiscard]] std::vector<SeenFace> seen_faces(const PolygonMesh& mesh, const Camera& camera, Sides sides);
+// planes: per facet the one whose plane it has its depths in, or nothing: each has its own.
+[[nodiscard]] std::vector<SeenFace> seen_faces(const PolygonMesh& mesh, const Camera& camera, Sides sides,
+                                               const std::vector<FacetId>& planes = {});
 
 // Returns the line of equal depth, p being nearer on its inner side; zero where they are one plane.
 [[nodiscard]] Line where_nearer(const Plane& p, const Plane& q);

@@ -91,8 +91,8 @@ Rational rightly_claimed(std::vector<Shape> shapes, const std::vector<Shape>& cl
 
 }  // namespace
 
-Truth true_visibility(const PolygonMesh& mesh, const Camera& camera, Sides sides) {
-  return truth_of(seen_faces(mesh, camera, sides), mesh.face_count());
+Truth true_visibility(const PolygonMesh& mesh, const Camera& camera, Sides sides, const std::vector<FacetId>& planes) {
+  return truth_of(seen_faces(mesh, camera, sides, planes), mesh.face_count());
 }
 
 Comparison compare(const PolygonMesh& mesh, const Camera& camera, Sides sides, const std::vector<Claim>& claims) {

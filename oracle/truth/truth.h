@@ -6,6 +6,8 @@
 //   - a place of the window belongs to the nearest face over it, by exact depth along the camera's ray there, also
 //     where faces pass through each other; of coplanar faces one that looks at the eye is in front of one
 //     that is turned away, and of two alike the lower index;
+//   - where `planes` says so, per facet, a face has its depths in the plane of another facet; it is not seen where rays to it do not
+//     meet that before the eye;
 //   - faces that are planar are taken whole, others by facet; edge-on ones are not seen; with Sides::front back-facing
 //     ones are neither seen nor in the way;
 //   - the visible areas and the uncovered area add up to 4.
@@ -35,7 +37,8 @@ struct Truth {
   Rational uncovered;
 };
 
-[[nodiscard]] Truth true_visibility(const PolygonMesh& mesh, const Camera& camera, Sides sides);
+[[nodiscard]] Truth true_visibility(const PolygonMesh& mesh, const Camera& camera, Sides sides,
+                                    const std::vector<FacetId>& planes = {});
 
 // A claim says that a face is visible where the rings' winding number is positive: outer rings run counter-clockwise,
 // holes clockwise. All rings of a face count together, whether they come in one claim or in several.

@@ -4,9 +4,11 @@
 
 #include <random>
 
-#include "geometry/cutting/coincidence.h"
+#include "geometry/cutting/snapped_planes.h"
+#include "oracle/truth/truth.h"
 #include "sightline/analyzer.h"
 #include "tests/tools/polygon_mesh.h"
+#include "tests/tools/unrounded_areas.h"
 
 namespace sightline::tests::snapped_faces_test {
 namespace {
@@ -351,6 +353,63 @@ TEST_CASE("boxes with play are seen as designed where the distance says that pla
   }
   MESSAGE(wrong_without << " views of 60 are wrong as written");
   CHECK(wrong_without > 10);
+}
+
+namespace {
+
+// Faces in three planes, each off it by as much as the distance allows, and others through all of them.
+std::vector<Corners> random_layers(std::mt19937& random, double off) {
+  std::uniform_real_distribution<double> any(-1, 1);
+  std::vector<Corners> faces;
+  for (int i = 0; i < 9; ++i) {
+    Corners face;
+    const Vector3 slope(0.3 * (i % 3) - 0.2, 0.1 * (i % 3), 0);
+    for (int corner = 0; corner < 3; ++corner) {
+      const Vector3 at(3 * any(random), 3 * any(random), 0);
+      face.push_back(at + Vector3(0, 0, at.dot(slope) + i % 3 + off * any(random)));
+    }
+    faces.push_back(face);
+  }
+  for (int i = 0; i < 3; ++i) {
+    Corners face;
+    for (int corner = 0; corner < 3; ++corner) face.emplace_back(3 * any(random), 3 * any(random), 3 * any(random));
+    faces.push_back(face);
+  }
+  return faces;
+}
+
+}  // namespace
+
+TEST_CASE("what is snapped is seen as rationals have it, with depths in the planes that it has") {
+  std::mt19937 random(seed + 7);
+  INFO("seed ", seed + 7);
+  std::uniform_real_distribution<double> any(-1, 1);
+  std::size_t snapped = 0;
+  std::size_t along_swaps = 0;
+  std::size_t differing = 0;
+  for (int i = 0; i < 150; ++i) {
+    CAPTURE(i);
+    const double off = std::pow(10.0, -3.0 - i % 10);
+    const Mesh mesh = mesh_of(random_layers(random, off));
+    CutMesh with_planes = uncrossed(mesh);
+    with_planes.snapped_to = snapped_planes(with_planes, 4 * off);
+    std::vector<FacetId> planes;
+    for (const UncutFacetId plane : with_planes.snapped_to) planes.emplace_back(plane.index());
+    for (std::size_t f = 0; f < planes.size(); ++f) snapped += planes[f].index() != f ? 1 : 0;
+    const Scene scene{
+        {}, {4 * any(random), 4 * any(random), random() % 4 == 0 ? 1.0 : 8 * any(random)}, i % 3 == 0, {}};
+    const Camera camera = camera_of(scene, {});
+    const Sides sides = random() % 2 == 0 ? Sides::front : Sides::both;
+    const UnroundedAreas seen = unrounded_areas(with_planes, camera, sides);
+    along_swaps += seen.along_swaps;
+    CHECK(seen.of_face == oracle::true_visibility(mesh, camera, sides, planes).visible_area);
+    differing += seen.of_face != oracle::true_visibility(mesh, camera, sides).visible_area ? 1 : 0;
+  }
+  MESSAGE(snapped << " facets are snapped, " << along_swaps << " segments along swap edges, " << differing
+                  << " views differ from the faces as written");
+  CHECK(snapped > 300);
+  CHECK(along_swaps > 300);
+  CHECK(differing > 50);
 }
 
 }  // namespace sightline::tests::snapped_faces_test

@@ -5,13 +5,21 @@
 namespace sightline::tests {
 
 UnroundedView unrounded_view(const Mesh& mesh, const Camera& camera, Sides sides) {
+  return unrounded_view(uncrossed(mesh), camera, sides);
+}
+
+UnroundedView unrounded_view(const CutMesh& mesh, const Camera& camera, Sides sides) {
   UnroundedView view;
-  view.scene = project(uncrossed(mesh), camera, sides, {Arithmetic::unrounded});
+  view.scene = project(mesh, camera, sides, {Arithmetic::unrounded});
   view.segments = unrounded_sweep(view.scene, depth_ranges(view.scene), nullptr, &view.counts);
   return view;
 }
 
 UnroundedAreas unrounded_areas(const Mesh& mesh, const Camera& camera, Sides sides) {
+  return unrounded_areas(uncrossed(mesh), camera, sides);
+}
+
+UnroundedAreas unrounded_areas(const CutMesh& mesh, const Camera& camera, Sides sides) {
   const UnroundedView view = unrounded_view(mesh, camera, sides);
   const ImagePoints points(view.scene, view.segments);
   UnroundedAreas areas{decltype(UnroundedAreas::of_face)(mesh.face_count()), 0, view.counts};

@@ -16,6 +16,7 @@ struct UnroundedView {
 };
 
 // The mesh is not cut.
+[[nodiscard]] UnroundedView unrounded_view(const CutMesh& mesh, const Camera& camera, Sides sides);
 [[nodiscard]] UnroundedView unrounded_view(const Mesh& mesh, const Camera& camera, Sides sides);
 
 struct UnroundedAreas {
@@ -25,6 +26,7 @@ struct UnroundedAreas {
 };
 
 // The mesh is not cut.
+[[nodiscard]] UnroundedAreas unrounded_areas(const CutMesh& mesh, const Camera& camera, Sides sides);
 [[nodiscard]] UnroundedAreas unrounded_areas(const Mesh& mesh, const Camera& camera, Sides sides);
 
 }  // namespace sightline::tests
