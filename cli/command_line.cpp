@@ -30,12 +30,9 @@ void declare_commands(CLI::App& app, OptionTexts& texts) {
     return *app.add_subcommand(name, does);
   };
   declare_analyze(command("analyze", "Label a mesh with what each camera sees of it"), texts.analyze);
-  declare_compare(command("compare", "Let the textbooks' algorithms see the same scene, and measure them"),
-                  texts.compare);
-  declare_stability(
-      command("stability", "Measure where float, double and exact arithmetic break, on scenes that go to extremes"),
-      texts.stability);
-  declare_trace(command("trace", "Step through the sweep of one camera, on a page that needs no network"), texts.trace);
+  declare_compare(command("compare", "Measure the textbooks' algorithms on a scene"), texts.compare);
+  declare_stability(command("stability", "Measure where float, double and exact break"), texts.stability);
+  declare_trace(command("trace", "Step through the sweep of a camera, on a page"), texts.trace);
   declare_completion(command("completion", "Print the completion script of a shell"), texts.shell);
 }
 

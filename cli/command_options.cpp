@@ -82,22 +82,17 @@ void declare_computation(CLI::App& analyze, AnalyzeTexts& texts) {
   analyze.add_option("--sides", texts.sides, "which sides of faces count (auto)")->type_name("auto|front|both");
   analyze.add_option("--arithmetic", texts.arithmetic, "in which every decision is taken (unrounded)")
       ->type_name("float|double|exact|unrounded");
-  analyze
-      .add_option("--grid-bits", texts.grid_bits,
-                  "round the image to a grid of 2^N cells in the half window (40 where not unrounded)")
-      ->type_name("N");
-  analyze.add_option("--engine", texts.engine, "sweep what the scene requires, or everything: same result (fast)")
+  analyze.add_option("--grid-bits", texts.grid_bits, "round to a grid of 2^N cells in the half window")->type_name("N");
+  analyze.add_option("--engine", texts.engine, "sweep by need, or everything: same result (fast)")
       ->type_name("fast|full");
-  analyze.add_option("--threads", texts.threads, "how many work at once: same result (all that there are)")
-      ->type_name("N");
+  analyze.add_option("--threads", texts.threads, "how many work at once: same result (all)")->type_name("N");
 }
 
 void declare_results(CLI::App& analyze, AnalyzeTexts& texts) {
-  analyze.add_option("-o,--output", texts.output, "folder for the results, one folder in it per camera")
-      ->type_name("DIR");
-  analyze.add_option("--max-memory", texts.max_memory, "stop where more is needed (3/4 of the machine's memory)")
+  analyze.add_option("-o,--output", texts.output, "folder for results, with one per camera")->type_name("DIR");
+  analyze.add_option("--max-memory", texts.max_memory, "stop where more is needed (3/4 of it all)")
       ->type_name("BYTES[K|M|G|T]");
-  analyze.add_flag("--report", texts.report_page, "write report.html, too: the results in 3D, in one page");
+  analyze.add_flag("--report", texts.report_page, "write report.html, too: the results in 3D");
   analyze.add_flag("--json", texts.json, "print the report on standard output");
   analyze.add_flag("--quiet", texts.quiet, "neither progress nor summary");
 }
@@ -154,9 +149,7 @@ void require_consistent(const TraceTexts& texts) {
 }  // namespace
 
 void declare_analyze(CLI::App& analyze, AnalyzeTexts& texts) {
-  analyze
-      .add_option("input", texts.input,
-                  "a scene file (.toml), or a mesh (OBJ, STL, PLY, OFF, glTF, 3MF) with a camera from the options")
+  analyze.add_option("input", texts.input, "scene file, or mesh with --eye, --target, --fov-y")
       ->required()
       ->type_name("SCENE.toml|MESH");
   declare_camera(analyze, texts.camera);
@@ -164,7 +157,7 @@ void declare_analyze(CLI::App& analyze, AnalyzeTexts& texts) {
   declare_results(analyze, texts);
   analyze.footer(
       "Example: sightline analyze fixtures/demo/scene.toml -o out --report\n"
-      "Example: sightline analyze bunny.obj --eye 0,1,3 --target 0,0.1,0 --fov-y 30 -o out");
+      "Example: sightline analyze a.obj --eye 0,1,3 --target 0,0,0 --fov-y 30 -o out");
 }
 
 AnalyzeOptions options_of(const AnalyzeTexts& texts) {
@@ -185,24 +178,21 @@ AnalyzeOptions options_of(const AnalyzeTexts& texts) {
 }
 
 void declare_compare(CLI::App& compare, CompareTexts& texts) {
-  compare
-      .add_option("input", texts.input,
-                  "a scene file (.toml), or a mesh (OBJ, STL, PLY, OFF, glTF, 3MF) with a camera from the options")
+  compare.add_option("input", texts.input, "scene file, or mesh with --eye, --target, --fov-y")
       ->required()
       ->type_name("SCENE.toml|MESH");
   compare.add_option("--camera", texts.camera, "which of the scene's cameras (the first)")->type_name("NAME");
   declare_camera(compare, texts.mesh_camera);
-  compare.add_option("--peers", texts.peers, "only these algorithms (all); a wrong name prints the list")
-      ->type_name("A,B,...");
-  compare.add_option("--resolution", texts.resolution, "pixels along each side of item buffers (64,256,1024)")
+  compare.add_option("--peers", texts.peers, "only these (all); a wrong name prints the list")->type_name("A,B,...");
+  compare.add_option("--resolution", texts.resolution, "pixels a side of item buffers (64,256,1024)")
       ->type_name("N,N,...");
   compare.add_option("--time-limit", texts.time_limit, "processor time that each of them may take (60)")
       ->type_name("S");
-  compare.add_option("-o,--output", texts.output, "folder for compare.html, .csv and .json, and the pictures")
+  compare.add_option("-o,--output", texts.output, "folder for compare.html, .csv, .json, pictures")
       ->required()
       ->type_name("DIR");
   compare.add_flag("--quiet", texts.quiet, "neither progress nor summary");
-  compare.footer("Example: sightline compare fixtures/demo/scene.toml --resolution 64,256 -o compared");
+  compare.footer("Example: sightline compare fixtures/demo/scene.toml --resolution 256 -o compared");
 }
 
 CompareOptions options_of(const CompareTexts& texts) {
@@ -221,7 +211,7 @@ CompareOptions options_of(const CompareTexts& texts) {
 }
 
 void declare_stability(CLI::App& stability, StabilityTexts& texts) {
-  stability.add_option("-o,--output", texts.output, "folder for stability.csv, a plot per family, and stability.html")
+  stability.add_option("-o,--output", texts.output, "folder for stability.html, .csv, and plots")
       ->required()
       ->type_name("DIR");
   stability.add_option("--family", texts.family, "only this family of scenes (all)")->type_name("NAME");
@@ -245,8 +235,7 @@ void declare_trace(CLI::App& trace, TraceTexts& texts) {
       ->type_name("auto|front|both");
   trace.add_option("--arithmetic", texts.arithmetic, "float and double are shown beside exact (exact)")
       ->type_name("float|double|exact");
-  trace.add_option("--grid-bits", texts.grid_bits, "the image's grid has 2^N cells in the half window (40)")
-      ->type_name("N");
+  trace.add_option("--grid-bits", texts.grid_bits, "the grid has 2^N cells in the half window (40)")->type_name("N");
   trace.footer("Example: sightline trace --example fang -o trace.html && xdg-open trace.html");
 }
 

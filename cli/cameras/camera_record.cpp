@@ -15,21 +15,21 @@ namespace {
 }
 
 Camera calibrated(const Calibration& calibration, const CameraRecord& record, const std::string& name,
-                  const DepthRange& range) {
+                  const ViewLimits& limits) {
   if (!(calibration.width > 0 && calibration.height > 0))
     refuse_camera_record(name, "the file does not say the size of the image; add image = [width, height]");
   const Lens lens = calibration.lens.value_or(Lens{});
-  const PixelImage image{calibration.width, calibration.height, calibration.origin, range.near_distance,
-                         range.far_distance};
+  const PixelImage image{calibration.width, calibration.height, calibration.origin, limits.near_distance,
+                         limits.far_distance};
   if (const auto* pose = std::get_if<CameraPose>(&record.place))
-    return posed_camera(name, calibration.k, *pose, image, lens);
+    return posed_camera(name, calibration.k, *pose, image, lens, limits.frame_tolerance);
   if (const auto* pose = std::get_if<WorldToCamera>(&record.place))
-    return calibrated_camera(name, calibration.k, pose->r, pose->t, image, lens);
+    return calibrated_camera(name, calibration.k, pose->r, pose->t, image, lens, limits.frame_tolerance);
   const Camera looking = pinhole_camera(name, std::get<ViewPoint>(record.place), 1);
   CameraPose pose;
   pose.rotation << looking.right.transpose(), -looking.up.transpose(), looking.forward.transpose();
   pose.eye = looking.origin;
-  return posed_camera(name, calibration.k, pose, image, lens);
+  return posed_camera(name, calibration.k, pose, image, lens, limits.frame_tolerance);
 }
 
 // The same place as eye, view direction and up.
@@ -42,7 +42,7 @@ ViewPoint view_point(const CameraPose& pose) {
 }
 
 Camera with_window(const WindowShape& window, const CameraRecord& record, const std::string& name,
-                   const DepthRange& range) {
+                   const ViewLimits& limits) {
   ViewPoint view;
   if (const auto* given = std::get_if<ViewPoint>(&record.place)) view = *given;
   if (const auto* pose = std::get_if<CameraPose>(&record.place)) {
@@ -55,22 +55,22 @@ Camera with_window(const WindowShape& window, const CameraRecord& record, const 
     view = view_point({pose->r, placed.origin});
   }
   view.aspect = window.aspect;
-  view.near_distance = range.near_distance;
-  view.far_distance = range.far_distance;
+  view.near_distance = limits.near_distance;
+  view.far_distance = limits.far_distance;
   return pinhole_camera(name, view, window.half_height);
 }
 
 }  // namespace
 
-Camera camera_of(const CameraRecord& record, const std::string& name, const DepthRange& range) {
+Camera camera_of(const CameraRecord& record, const std::string& name, const ViewLimits& limits) {
   if (std::holds_alternative<std::monostate>(record.place)) {
     refuse_camera_record(name,
                          "the file does not say where it is; add R and t, or name a file of poses, with this one as "
                          "its intrinsics");
   }
   if (const auto* calibration = std::get_if<Calibration>(&record.image))
-    return calibrated(*calibration, record, name, range);
-  if (const auto* window = std::get_if<WindowShape>(&record.image)) return with_window(*window, record, name, range);
+    return calibrated(*calibration, record, name, limits);
+  if (const auto* window = std::get_if<WindowShape>(&record.image)) return with_window(*window, record, name, limits);
   refuse_camera_record(name, "the file has poses only; add fov_y_deg, or intrinsics = \"FILE\" with the calibration");
 }
 

@@ -41,15 +41,17 @@ struct CameraRecord {
   std::variant<std::monostate, WorldToCamera, CameraPose, ViewPoint> place;
 };
 
-struct DepthRange {
+// What a scene file says of all cameras of a file.
+struct ViewLimits {
   std::optional<double> near_distance;
   std::optional<double> far_distance;
+  double frame_tolerance = default_frame_tolerance;  // of those with a lens
 };
 
 // The camera of a record, called `name`.
 // Errors: CameraError where image or place is missing, where the image has no size, where these define no view, and for
 // a lens that folds.
-[[nodiscard]] Camera camera_of(const CameraRecord& record, const std::string& name, const DepthRange& range);
+[[nodiscard]] Camera camera_of(const CameraRecord& record, const std::string& name, const ViewLimits& limits);
 
 // Returns STEM-01 for the first of `count`; with as many digits as the last needs.
 [[nodiscard]] std::string numbered(const std::string& stem, std::size_t index, std::size_t count);

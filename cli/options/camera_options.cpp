@@ -12,8 +12,23 @@ namespace sightline::cli {
 
 namespace {
 
+double parsed_angle(const std::string& text, const char* option) {
+  const double degrees = parsed_number(text, option);
+  if (!(degrees > 0 && degrees < 180))
+    throw CommandLineError(
+        fmt::format("{}: '{}' is no field of view between 0 and 180 degrees; give one that is", option, text));
+  return degrees;
+}
+
+// Half the window's height at distance 1.
+double half_height_of(const CameraTexts& texts, double aspect) {
+  if (texts.fov_x.empty()) return tangent_of_half(parsed_angle(texts.fov_y, "--fov-y"));
+  if (!texts.fov_y.empty()) throw CommandLineError("there are --fov-y and --fov-x; give one");
+  return tangent_of_half(parsed_angle(texts.fov_x, "--fov-x")) / aspect;
+}
+
 Camera camera_for_mesh(const CameraTexts& texts) {
-  if (texts.eye.empty() || texts.target.empty() || texts.fov_y.empty()) {
+  if (texts.eye.empty() || texts.target.empty() || (texts.fov_y.empty() && texts.fov_x.empty())) {
     throw CommandLineError("a mesh needs a camera; give --eye, --target and --fov-y, or a scene file (.toml)");
   }
   ViewPoint view;
@@ -22,18 +37,18 @@ Camera camera_for_mesh(const CameraTexts& texts) {
   if (!texts.up.empty()) view.up = parsed_vector(texts.up, "--up");
   if (!texts.aspect.empty()) view.aspect = parsed_number(texts.aspect, "--aspect");
   try {
-    return perspective_camera("view", view, parsed_number(texts.fov_y, "--fov-y"));
+    return pinhole_camera("view", view, half_height_of(texts, view.aspect));
   } catch (const CameraError& error) {
     throw CommandLineError(error.what());
   }
 }
 
 void refuse_camera(const CameraTexts& texts) {
-  for (const std::string* text : {&texts.eye, &texts.target, &texts.up, &texts.fov_y, &texts.aspect}) {
+  for (const std::string* text : {&texts.eye, &texts.target, &texts.up, &texts.fov_y, &texts.fov_x, &texts.aspect}) {
     if (!text->empty()) {
       throw CommandLineError(
-          "--eye, --target, --up, --fov-y and --aspect go with a mesh, and a scene file has its own cameras; leave "
-          "them out");
+          "--eye, --target, --up, --fov-y, --fov-x and --aspect go with a mesh, and a scene file has its own cameras; "
+          "leave them out");
     }
   }
 }
@@ -51,6 +66,7 @@ void declare_camera(CLI::App& command, CameraTexts& texts) {
   command.add_option("--target", texts.target, "what it looks at")->type_name("X,Y,Z");
   command.add_option("--up", texts.up, "what is up (0,1,0)")->type_name("X,Y,Z");
   command.add_option("--fov-y", texts.fov_y, "vertical field of view in degrees")->type_name("DEG");
+  command.add_option("--fov-x", texts.fov_x, "the horizontal one instead")->type_name("DEG");
   command.add_option("--aspect", texts.aspect, "the window's width over its height (1)")->type_name("R");
 }
 

@@ -17,7 +17,7 @@ class App;
 namespace sightline::cli {
 
 struct CameraTexts {
-  std::string eye, target, up, fov_y, aspect;
+  std::string eye, target, up, fov_y, fov_x, aspect;
 };
 
 void declare_camera(CLI::App& command, CameraTexts& texts);

@@ -37,8 +37,9 @@ std::string group_name(const TomlReader& table, const std::string& name) {
   return whole;
 }
 
-DepthRange read_depth_range(const TomlReader& table) {
-  return {table.optional_number("near"), table.optional_number("far")};
+ViewLimits read_limits(const TomlReader& table) {
+  return {table.optional_number("near"), table.optional_number("far"),
+          table.optional_number("frame_tolerance").value_or(default_frame_tolerance)};
 }
 
 std::string read_path(const TomlReader& table, std::string_view key, const std::string& scene_file) {
@@ -126,10 +127,12 @@ std::vector<CameraRecord> chosen_records(const TomlReader& table, std::vector<Ca
 }
 
 std::vector<Camera> read_file_group(const TomlReader& table, const std::string& scene_file, const FileSource& files) {
-  table.allow_only({"file", "intrinsics", "prefix", "select", "every", "image", "pixel_origin", "lens_model", "R", "t",
-                    "pose", "axes", "fov_y_deg", "fov_x_deg", "focal_length_mm", "sensor_mm", "aspect", "near", "far"});
+  table.allow_only({"file",      "intrinsics",   "prefix",     "select",    "every",
+                    "image",     "pixel_origin", "lens_model", "R",         "t",
+                    "pose",      "axes",         "fov_y_deg",  "fov_x_deg", "focal_length_mm",
+                    "sensor_mm", "aspect",       "near",       "far",       "frame_tolerance"});
   const CameraRequest request = read_request(table, scene_file);
-  const DepthRange range = read_depth_range(table);
+  const ViewLimits limits = read_limits(table);
   const std::vector<CameraRecord> records = chosen_records(table, read_camera_file(request, files));
   if (records.size() > most_group_cameras)
     table.fail("file", fmt::format("more than {} cameras; choose with 'every' or 'select'", most_group_cameras));
@@ -137,11 +140,15 @@ std::vector<Camera> read_file_group(const TomlReader& table, const std::string& 
   for (const CameraRecord& record : records) {
     const std::string name = group_name(table, record.name);
     try {
-      cameras.push_back(camera_of(record, name, range));
+      cameras.push_back(camera_of(record, name, limits));
     } catch (const CameraError& error) {
       throw InputError(request.file, record.line, error.what());
     }
   }
+  if (table.has("frame_tolerance") &&
+      std::ranges::none_of(cameras, [](const Camera& c) { return c.lens_image.has_value(); }))
+    table.fail("frame_tolerance",
+               "no camera of the group has a lens, and 'frame_tolerance' is for these; leave it out");
   return cameras;
 }
 
@@ -204,11 +211,11 @@ std::vector<Camera> read_rig_group(const TomlReader& table, std::string_view kin
   if (form.empty())
     table.fail("the cameras have none of fov_y_deg, fov_x_deg, focal_length_mm, orthographic_height; give one");
   const WindowKeys window = read_window(table, form);
-  const DepthRange range = read_depth_range(table);
+  const ViewLimits limits = read_limits(table);
   std::vector<Camera> cameras;
   for (auto& [name, view] : rig_cameras(table, kind)) {
-    view.near_distance = range.near_distance;
-    view.far_distance = range.far_distance;
+    view.near_distance = limits.near_distance;
+    view.far_distance = limits.far_distance;
     cameras.push_back(window_camera(group_name(table, name), view, window));
   }
   return cameras;

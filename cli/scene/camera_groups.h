@@ -2,7 +2,7 @@
 //
 // A group has exactly one of
 //   file     (camera_files.h), relative to the scene file; and optionally intrinsics, another file; select (names) or every (n: the
-//            first, and each n-th after it); image, pixel_origin, lens_model; R and t; for a table pose, axes, and a field of view
+//            first, and each n-th after it); image, pixel_origin, lens_model, frame_tolerance; R and t; for a table pose, axes, and a field of view
 //   ring, sphere, grid   (camera_rigs.h): a table; and a field of view, aspect, shift
 // and optionally prefix, near, far. A camera is called as in the file or the rig, made a folder's name (camera_names.h), behind the
 // prefix.

@@ -307,6 +307,14 @@ TEST_CASE("a lens that bends rays is the camera's, one of zeros is none, one tha
   REQUIRE(lens_image(camera("0, 0, 0, 0", "fisheye_model: 1\n")).has_value());
   CHECK(lens_image(camera("0, 0, 0, 0", "fisheye_model: 1\n"))->lens.model == LensModel::fisheye);
   CHECK_FALSE(lens_image(camera("0, 0, 0, 0, 0", "")).has_value());
+
+  const std::string bent = camera("0.1, 0, 0, 0", "");
+  const std::string coarse = "[[cameras]]\nfile = \"k\"\nframe_tolerance = 2\n";
+  const auto frame = scene_of(coarse, {{"dir/k", bent}}).cameras.at(0).lens_image;
+  CHECK(frame->frame_tolerance == 2);
+  CHECK(frame->frame.size() < lens_image(bent)->frame.size());
+  CHECK_THROWS_WITH((void)scene_of(coarse, {{"dir/k", camera("0, 0, 0, 0, 0", "")}}),
+                    doctest::Contains("no camera of the group has a lens"));
   check_refused(camera("-9, 0, 0, 0", ""), 3, "fold");
 }
 

@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -48,6 +49,29 @@ TEST_CASE("a mesh comes with a camera from the options") {
   CHECK(options.camera->origin == Point3{-1, 2.5, 30});
   CHECK(options.camera->aspect == 1.5);
   CHECK(options.camera->name == "view");
+}
+
+TEST_CASE("a horizontal field of view is one, too") {
+  const auto camera_of = [](const std::vector<std::string>& call) {
+    return std::get<AnalyzeOptions>(parse(with(replaced(call, "-.5,0,+0", "-.5,0,0"), {"--aspect", "2"})))
+        .camera.value();
+  };
+  const Camera camera = camera_of(replaced(replaced(mesh_call, "--fov-y", "--fov-x"), "40", "90"));
+  CHECK(camera.right.norm() == doctest::Approx(1));
+  CHECK(camera.up.norm() == doctest::Approx(2));
+  CHECK(camera_of(replaced(mesh_call, "40", "90")).up.norm() == doctest::Approx(1));
+}
+
+TEST_CASE("help is no wider than a terminal") {
+  for (const char* command : {"", "analyze", "compare", "stability", "trace", "completion"}) {
+    std::vector<std::string> call{"--help"};
+    if (*command != 0) call.insert(call.begin(), command);
+    std::istringstream help(std::get<RequestedText>(parse(call)).text);
+    for (std::string line; std::getline(help, line);) {
+      INFO(doctest::String(line.c_str()));
+      CHECK(line.size() <= 80);
+    }
+  }
 }
 
 TEST_CASE("a scene file comes with its own cameras") {
@@ -103,6 +127,7 @@ TEST_CASE("a wrong command line is one line that names the option") {
       {{"analyze", "s.toml", "t.toml", "-o", "out"}, "t.toml"},
       {{"analyze", "s.toml", "-o", "out", "--frobnicate"}, "--frobnicate"},
       {{"analyze", "s.toml", "-o", "out", "--eye", "1,2,3"}, "--eye"},
+      {{"analyze", "s.toml", "-o", "out", "--fov-x", "40"}, "--fov-x"},
       {{"analyze", "s.toml", "-o", "out", "--sides", "back"}, "--sides: 'back'"},
       {{"analyze", "s.toml", "-o", "out", "--arithmetic", "quad"}, "--arithmetic: 'quad'"},
       {{"analyze", "s.toml", "-o", "out", "--grid-bits", "7"}, "--grid-bits: '7'"},
@@ -122,6 +147,8 @@ TEST_CASE("a wrong command line is one line that names the option") {
       {replaced(mesh, "40", "180"), "field of view"},
       {replaced(mesh, "-1,2.5,3e1", "0,0,0"), "same point"},
       {with(mesh, {"--aspect", "0"}), "aspect"},
+      {with(mesh, {"--fov-x", "50"}), "there are --fov-y and --fov-x"},
+      {with(replaced(replaced(mesh, "--fov-y", "--fov-x"), "40", "0"), {"--aspect", "2"}), "--fov-x: '0'"},
       {with(mesh, {"--up", "0x1,0,0"}), "--up"},
   };
   for (const auto& call : calls) {
