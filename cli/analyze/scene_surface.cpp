@@ -1,8 +1,11 @@
 #include "cli/analyze/scene_surface.h"
 
+#include <fmt/format.h>
+
 #include "cli/system/resources.h"
 #include "formats/importing/mesh_import.h"
 #include "formats/reading/assembly.h"
+#include "geometry/numbers/errors.h"
 
 namespace sightline::cli {
 
@@ -40,6 +43,17 @@ FaceMask mirrors_of(const FaceRegions& regions, const SceneDescription& scene) {
   return mask;
 }
 
+void require_any_left(const RegionChoice& chosen, const FaceMask& faces, const FaceMask& ignored,
+                      const std::string& scene_file) {
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    if (faces[f] != 0 && ignored[f] == 0) return;
+  }
+  throw InputError(
+      scene_file, chosen.line,
+      fmt::format("'{}': all of its faces are ignored, too; take them out of one of both, or leave '{}' out",
+                  chosen.key, chosen.key));
+}
+
 }  // namespace
 
 MeshInput read_surface(const SceneDescription& scene, Normals normals, std::uint64_t max_memory, Progress& progress) {
@@ -52,6 +66,8 @@ MeshInput read_surface(const SceneDescription& scene, Normals normals, std::uint
   input.mirror_faces = mirrors_of(all.regions, scene);
   if (scene.regions.ignore) {
     const FaceMask ignored = faces_of(all.regions, *scene.regions.ignore, scene.file);
+    if (scene.regions.of_interest) require_any_left(*scene.regions.of_interest, input.of_interest, ignored, scene.file);
+    if (scene.regions.mirrors) require_any_left(*scene.regions.mirrors, input.mirror_faces, ignored, scene.file);
     all = without_faces(std::move(all), ignored);
   }
   static_cast<MeshFile&>(input) = std::move(all);

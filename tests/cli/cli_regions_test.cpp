@@ -302,6 +302,18 @@ TEST_CASE("mirrors by name and by material: others reflect nothing, and block; i
   }
 }
 
+TEST_CASE("what is of interest, or mirrors, and is ignored altogether is refused") {
+  const Scenes scenes;
+  for (const std::string key : {"[regions]\nof_interest", "[reflection]\nmirrors"}) {
+    const std::string ignored = key.starts_with("[regions]") ? "\nignore" : "\n[regions]\nignore";
+    const RunResult run = scenes.run("none", whole + key + " = [\"right\"]" + ignored + " = [\"right\"]\n");
+    CHECK(run.exit_code == 1);
+    CHECK(run.err.find("none.toml:4: '" + key.substr(key.find('\n') + 1) + "': all of its faces are ignored, too") !=
+          std::string::npos);
+    CHECK(scenes.run("some", whole + key + " = [\"right\", \"left\"]" + ignored + " = [\"right\"]\n").exit_code == 0);
+  }
+}
+
 TEST_CASE("a name that no region has is refused with those that there are; so are materials that none is like") {
   const Scenes scenes;
   const RunResult run = scenes.run("whole", whole + "[regions]\nignore = [\"rigth\"]\n");
