@@ -116,9 +116,24 @@ std::string region_lines(const SeenRegions& seen, bool several_cameras, bool wit
   return text;
 }
 
-std::string warnings_line(const std::vector<Report>& reports) {
+// What every camera's report says is about the surface, and counts once.
+std::size_t warning_count(const std::vector<Report>& reports) {
+  const auto is_in_all = [&](const std::string& warning) {
+    return std::ranges::all_of(reports, [&](const Report& report) {
+      return std::ranges::find(report.warnings, warning) != report.warnings.end();
+    });
+  };
   std::size_t count = 0;
-  for (const Report& report : reports) count += report.warnings.size();
+  for (const Report& report : reports) {
+    const bool is_first = &report == &reports.front();
+    count += static_cast<std::size_t>(std::ranges::count_if(
+        report.warnings, [&](const std::string& warning) { return is_first || !is_in_all(warning); }));
+  }
+  return count;
+}
+
+std::string warnings_line(const std::vector<Report>& reports) {
+  const std::size_t count = warning_count(reports);
   if (count == 0) return "";
   return fmt::format("\n{} warning{}: see \"warnings\" in report.json\n", count, count == 1 ? "" : "s") +
          doubt_lines(reports);

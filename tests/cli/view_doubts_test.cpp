@@ -112,7 +112,7 @@ TEST_CASE("a P that may have been meant with the other sign is said to") {
 
 TEST_CASE("the command says so in its summary and in the report") {
   const TemporaryFolder folder;
-  folder.file("a.obj", "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3\n");
+  folder.file("a.obj", "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3\nf 1 1 2\n");
   const std::string scene = folder.file("scene.toml",
                                         "[mesh]\nfile = \"a.obj\"\n[[camera]]\nname = \"away\"\neye = [0, 0, 5]\n"
                                         "target = [0, 0, 9]\nfov_y_deg = 40\n[[camera]]\nname = \"p\"\n"
@@ -120,12 +120,12 @@ TEST_CASE("the command says so in its summary and in the report") {
                                         "image = [640, 480]\n");
   const RunResult run = run_sightline({"analyze", scene, "-o", (folder.path() / "out").string()});
   REQUIRE_MESSAGE(run.exit_code == 0, run.err);
-  CHECK(run.out.find("2 warnings: see \"warnings\" in report.json\n"
+  CHECK(run.out.find("3 warnings: see \"warnings\" in report.json\n"
                      "  away: nothing is in view: the mesh is behind the camera\n"
                      "  p: P was taken with the opposite sign\n") != std::string::npos);
   const auto report = nlohmann::json::parse(read_text(folder.path() / "out" / "p" / "report.json"));
   CHECK(report["camera"]["matrix_sign"] == -1);
-  CHECK(report["warnings"].size() == 1);
+  CHECK(report["warnings"].size() == 2);
 }
 
 }  // namespace sightline::tests::view_doubts_test
