@@ -137,6 +137,19 @@ Scene random_scene(std::mt19937& random) {
   return scene;
 }
 
+// Checks that what is snapped is seen, and reflects, in a pose as it does upright, with both engines. Returns whether what is not
+// snapped is seen otherwise.
+bool is_wrong_without(const Scene& scene, const Pose& pose, SidesPolicy sides, const Seen& upright) {
+  const Seen snapped = seen(scene, pose, options_of(sides, true));
+  CHECK(largest_difference(snapped.visible, upright.visible) < 1e-9);
+  CHECK(largest_difference(snapped.reflecting, upright.reflecting) < 1e-9);
+  const Seen full = seen(scene, pose, options_of(sides, true, Engine::full));
+  CHECK(full.visible == snapped.visible);
+  CHECK(full.reflecting == snapped.reflecting);
+  const Seen as_written = seen(scene, pose, options_of(sides, false));
+  return largest_difference(as_written.visible, upright.visible) > 1e-3;
+}
+
 }  // namespace
 
 TEST_CASE("a window in its wall is seen, and reflects, as designed in every pose") {
@@ -154,15 +167,7 @@ TEST_CASE("a window in its wall is seen, and reflects, as designed in every pose
           scene.eye.z() = height;
           const Seen upright = seen(scene, {}, options_of(sides, false));
           for (int i = 0; i < 6; ++i) {
-            const Pose pose = random_pose(random);
-            const Seen snapped = seen(scene, pose, options_of(sides, true));
-            CHECK(largest_difference(snapped.visible, upright.visible) < 1e-9);
-            CHECK(largest_difference(snapped.reflecting, upright.reflecting) < 1e-9);
-            const Seen full = seen(scene, pose, options_of(sides, true, Engine::full));
-            CHECK(full.visible == snapped.visible);
-            CHECK(full.reflecting == snapped.reflecting);
-            const Seen as_written = seen(scene, pose, options_of(sides, false));
-            wrong_without += largest_difference(as_written.visible, upright.visible) > 1e-3 ? 1 : 0;
+            wrong_without += is_wrong_without(scene, random_pose(random), sides, upright) ? 1 : 0;
           }
         }
       }
@@ -251,15 +256,7 @@ TEST_CASE("rectangles on each other, and triangles through them, are seen as des
     const SidesPolicy sides = i % 2 == 0 ? SidesPolicy::front : SidesPolicy::both;
     const Seen upright = seen(scene, {}, options_of(sides, false));
     for (int turn = 0; turn < 4; ++turn) {
-      const Pose pose = random_pose(random);
-      const Seen snapped = seen(scene, pose, options_of(sides, true));
-      CHECK(largest_difference(snapped.visible, upright.visible) < 1e-9);
-      CHECK(largest_difference(snapped.reflecting, upright.reflecting) < 1e-9);
-      const Seen full = seen(scene, pose, options_of(sides, true, Engine::full));
-      CHECK(full.visible == snapped.visible);
-      CHECK(full.reflecting == snapped.reflecting);
-      const Seen as_written = seen(scene, pose, options_of(sides, false));
-      wrong_without += largest_difference(as_written.visible, upright.visible) > 1e-3 ? 1 : 0;
+      wrong_without += is_wrong_without(scene, random_pose(random), sides, upright) ? 1 : 0;
     }
   }
   MESSAGE(wrong_without << " views of 240 are wrong as written");
@@ -314,15 +311,7 @@ TEST_CASE("boxes on, in and beside each other are seen as designed in every pose
     const SidesPolicy sides = i % 2 == 0 ? SidesPolicy::front : SidesPolicy::both;
     const Seen upright = seen(scene, {}, options_of(sides, false));
     for (int turn = 0; turn < 4; ++turn) {
-      const Pose pose = random_pose(random);
-      const Seen snapped = seen(scene, pose, options_of(sides, true));
-      CHECK(largest_difference(snapped.visible, upright.visible) < 1e-9);
-      CHECK(largest_difference(snapped.reflecting, upright.reflecting) < 1e-9);
-      const Seen full = seen(scene, pose, options_of(sides, true, Engine::full));
-      CHECK(full.visible == snapped.visible);
-      CHECK(full.reflecting == snapped.reflecting);
-      const Seen as_written = seen(scene, pose, options_of(sides, false));
-      wrong_without += largest_difference(as_written.visible, upright.visible) > 1e-3 ? 1 : 0;
+      wrong_without += is_wrong_without(scene, random_pose(random), sides, upright) ? 1 : 0;
     }
   }
   MESSAGE(wrong_without << " views of 160 are wrong as written");
