@@ -4,9 +4,12 @@
 
 #include <random>
 
+#include "formats/reading/obj_reader.h"
+#include "geometry/cutting/coincidence.h"
 #include "geometry/cutting/snapped_planes.h"
 #include "oracle/truth/truth.h"
 #include "sightline/analyzer.h"
+#include "tests/tools/model_shots.h"
 #include "tests/tools/polygon_mesh.h"
 #include "tests/tools/unrounded_areas.h"
 
@@ -399,6 +402,35 @@ TEST_CASE("what is snapped is seen as rationals have it, with depths in the plan
   CHECK(snapped > 300);
   CHECK(along_swaps > 300);
   CHECK(differing > 50);
+}
+
+// Boxes that were put together in a program that keeps six digits, if the models are there.
+TEST_CASE("a real assembly is seen alike however it is turned, where its faces are snapped") {
+  const std::filesystem::path file = models_folder() / "box_assembly.obj";
+  if (!std::filesystem::exists(file)) return;
+  std::mt19937 random(seed + 8);
+  INFO("seed ", seed + 8);
+  const Mesh mesh = read_obj(file).mesh;
+  Scene scene;
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    scene.faces.emplace_back();
+    for (const VertexId v : mesh.faces[f]) scene.faces.back().push_back(mesh.position(v));
+  }
+  Point3 middle = Point3::Zero();
+  for (const Point3& p : mesh.vertices) middle += p / static_cast<double>(mesh.vertices.size());
+  for (Corners& face : scene.faces) {
+    for (Point3& p : face) p -= middle;
+  }
+  scene.eye = size_of(mesh) * Vector3(0.6, 0.5, 0.6);
+  const auto seen_by = [&](const Pose& pose, bool snaps) {
+    return seen(scene, pose, options_of(SidesPolicy::both, snaps)).visible;
+  };
+  const std::vector<double> upright = seen_by({}, true);
+  for (int turn = 0; turn < 3; ++turn) {
+    const Pose pose = random_pose(random);
+    CHECK(largest_difference(seen_by(pose, true), upright) < 1e-12);
+    CHECK(largest_difference(seen_by(pose, false), upright) > 1e-6);
+  }
 }
 
 }  // namespace sightline::tests::snapped_faces_test
