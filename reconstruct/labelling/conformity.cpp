@@ -158,9 +158,13 @@ class Conformity {
     double along = 0;
     double off = 0;
   };
+  // The way may be so short that other ways are longer by more than doubles say.
   [[nodiscard]] static Detour detour(const Point3& a, const Point3& b, const Point3& p) {
-    const double length = norm(b - a);
-    const double along = std::clamp(((1 / length) * (p - a)).dot((1 / length) * (b - a)), 0.0, 1.0);
+    constexpr double longest = 0x1p500;
+    const double length = (b - a).cwiseAbs().maxCoeff();
+    const Vector3 way = (b - a) / length;
+    const Vector3 to_p = ((p - a) / length).cwiseMax(-longest).cwiseMin(longest);
+    const double along = std::clamp(to_p.dot(way) / way.squaredNorm(), 0.0, 1.0);
     return {along, norm(p - (a + along * (b - a)))};
   }
 

@@ -456,6 +456,14 @@ TEST_CASE("borders that touch themselves conform") {
   CHECK(validated(refined(frame, {{VertexId(0), VertexId(8), {0.5, 0.5, 0}}}), frame) == Messages{});
 }
 
+TEST_CASE("a border as short as doubles go conforms") {
+  // From 3 to 2 it is the shortest way there is beside ways of a length of 1, of which two lead on from 3.
+  const double shortest = std::numeric_limits<double>::denorm_min();
+  const AnyMesh face = mesh_of({{-3, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 0, shortest}, {0, -1, 0}}, {{3, 0, 4, 3, 2, 1}});
+  REQUIRE(std::ranges::count(face->edges, std::array{VertexId(2), VertexId(3)}) == 1);
+  CHECK(validated(refined(face, {}), face) == Messages{});
+}
+
 const std::vector<Breakage<LabelledMesh>> broken_labelled{
     {"vertices: fewer than the input's", [](LabelledMesh& m) { m.vertices.resize(3); }},
     {"vertex 0 is not where the input has it", [](LabelledMesh& m) { m.vertices[0].x() = -0.0; }},
