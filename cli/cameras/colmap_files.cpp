@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "cli/cameras/document.h"
 #include "cli/cameras/rotations.h"
@@ -21,7 +22,7 @@ struct ColmapModel {
   std::string_view name;
   std::size_t focal_lengths;
   std::optional<LensModel> lens;
-  std::vector<int> coefficients;  // 0 to 5: k1 to k6; -1 and -2: p1 and p2
+  std::vector<int> coefficients;  // 0 to 5: k1 to k6, or w; -1 and -2: p1 and p2; -3 and -4: s1 and s2
 };
 
 const std::vector<ColmapModel>& colmap_models() {
@@ -35,6 +36,8 @@ const std::vector<ColmapModel>& colmap_models() {
       {"OPENCV_FISHEYE", 2, LensModel::fisheye, {0, 1, 2, 3}},
       {"SIMPLE_RADIAL_FISHEYE", 1, LensModel::fisheye, {0}},
       {"RADIAL_FISHEYE", 1, LensModel::fisheye, {0, 1}},
+      {"THIN_PRISM_FISHEYE", 2, LensModel::fisheye, {0, 1, -1, -2, 2, 3, -3, -4}},
+      {"FOV", 2, LensModel::field_of_view, {0}},
   };
   return models;
 }
@@ -54,16 +57,21 @@ std::int64_t colmap_id(std::string_view word, const std::string& file, std::size
   return *id;
 }
 
+double& coefficient_at(Lens& lens, int place) {
+  if (place >= 0) return lens.radial[static_cast<std::size_t>(place)];
+  return place >= -2 ? lens.tangential[static_cast<std::size_t>(-place - 1)]
+                     : lens.prism[static_cast<std::size_t>(-place - 3)];
+}
+
+// A field of view of 0 is that of a pinhole; its sign does not matter.
 Lens colmap_lens(const ColmapModel& model, const std::vector<double>& parameters, std::size_t first) {
   Lens lens;
   lens.model = *model.lens;
-  for (std::size_t i = 0; i < model.coefficients.size(); ++i) {
-    const int place = model.coefficients[i];
-    double& coefficient = place >= 0 ? lens.radial[static_cast<std::size_t>(place)]
-                                     : lens.tangential[static_cast<std::size_t>(-place - 1)];
-    coefficient = parameters[first + i];
-  }
-  return lens;
+  for (std::size_t i = 0; i < model.coefficients.size(); ++i)
+    coefficient_at(lens, model.coefficients[i]) = parameters[first + i];
+  if (lens.model != LensModel::field_of_view) return lens;
+  lens.radial[0] = std::fabs(lens.radial[0]);
+  return lens.radial[0] > 0 ? lens : Lens{};
 }
 
 Calibration colmap_calibration(const std::vector<std::string_view>& words, const std::string& file, std::size_t line,

@@ -48,13 +48,10 @@ Json coincidences_json(const SurfaceDoubts& doubts, bool snaps) {
 }
 
 Json lens_json(const LensImage& image) {
-  return {{"model", image.lens.model == LensModel::fisheye ? "fisheye" : "brown"},
-          {"radial", image.lens.radial},
-          {"tangential", image.lens.tangential},
-          {"image", {image.width, image.height}},
-          {"frame_corners", image.frame.size()},
-          {"frame_tolerance", image.frame_tolerance},
-          {"frame_area", frame_area(image)}};
+  return {{"model", to_string(image.lens.model)},     {"radial", image.lens.radial},
+          {"tangential", image.lens.tangential},      {"prism", image.lens.prism},
+          {"image", {image.width, image.height}},     {"frame_corners", image.frame.size()},
+          {"frame_tolerance", image.frame_tolerance}, {"frame_area", frame_area(image)}};
 }
 
 Json camera_json(const Camera& camera) {

@@ -1,15 +1,20 @@
 // A lens that bends rays: the models of distortion that calibrations are given in.
 //
-// A point whose place in the camera's frame (x right, y down, z forward) is (x, y) = (X / Z, Y / Z) comes to the pixel
-// K (x', y', 1), where, with r^2 = x^2 + y^2:
+// A point whose place in the camera's frame (x right, y down, z forward) is (X / Z, Y / Z), the ideal place, comes to the pixel
+// K (x', y', 1) of the bent place (x', y'). First its distance r from the axis becomes that of the base place (x, y):
 //
-//   brown    f = (1 + k1 r^2 + k2 r^4 + k3 r^6) / (1 + k4 r^2 + k5 r^4 + k6 r^6)
-//            x' = x f + 2 p1 x y + p2 (r^2 + 2 x^2)      y' = y f + p1 (r^2 + 2 y^2) + 2 p2 x y
-//   fisheye  a = arctan r, d = a (1 + k1 a^2 + k2 a^4 + k3 a^6 + k4 a^8)
-//            (x', y') = (x, y) d / r
+//   brown          r
+//   fisheye        arctan r
+//   field_of_view  arctan(2 r tan(w / 2)) / w
 //
-// (x, y) is the ideal place, (x', y') the bent one.
-// Sources: Brown 1966; Kannala and Brandt 2006; both as OpenCV's documentation has them.
+// Then, with a the base place's distance from the axis,
+//
+//            x' = x f + 2 p1 x y + p2 (a^2 + 2 x^2) + s1 a^2      y' = y f + p1 (a^2 + 2 y^2) + 2 p2 x y + s2 a^2
+//   brown    f = (1 + k1 a^2 + k2 a^4 + k3 a^6) / (1 + k4 a^2 + k5 a^4 + k6 a^6)
+//   fisheye  f = 1 + k1 a^2 + k2 a^4 + k3 a^6 + k4 a^8
+//   field_of_view  f = 1
+//
+// Sources: Brown 1966; Kannala and Brandt 2006; Devernay and Faugeras 2001; as the documentation of OpenCV and COLMAP has them.
 #pragma once
 
 #include <array>
@@ -21,15 +26,17 @@
 
 namespace sightline::inline geometry {
 
-enum class LensModel : std::uint8_t { brown, fisheye };
+enum class LensModel : std::uint8_t { brown, fisheye, field_of_view };
+[[nodiscard]] SIGHTLINE_EXPORT const char* to_string(LensModel model);
 
 struct Lens {
   LensModel model = LensModel::brown;
-  std::array<double, 6> radial{};      // k1, k2, ...: six of brown, four of fisheye
-  std::array<double, 2> tangential{};  // p1, p2, of brown
+  std::array<double, 6> radial{};  // k1, k2, ...: six of brown, four of fisheye; w alone of field_of_view, in (0, pi)
+  std::array<double, 2> tangential{};  // p1, p2; not of field_of_view
+  std::array<double, 2> prism{};       // s1, s2; not of field_of_view
 };
 
-// Returns whether the lens does anything: a fisheye always does.
+// Returns whether the lens does anything: a brown one without coefficients does nothing.
 [[nodiscard]] SIGHTLINE_EXPORT bool bends(const Lens& lens);
 
 [[nodiscard]] SIGHTLINE_EXPORT Point2 bent_place(const Lens& lens, const Point2& ideal);
@@ -44,12 +51,12 @@ struct LensDisc {
 };
 
 // Returns a disc that reaches the bent radius, or the largest one for which this can be proven.
-// Proof: the Jacobian of the map is symmetric, for both models. Where it is positive definite all over a convex region, no two
-// places of it have one image, since (J (b - a)) . (b - a) > 0 all along the segment between them. Without p1 and p2 its
-// eigenvalues are f and f + 2 r^2 f', a prime for the derivative by r^2; these two change them by at most 6 |p| r. Numbers with
-// proven radii (bounded.h) show for one interval of r^2 after the other that both stay above that. The border of the disc is bent to
-// places at least r f - 3 |p| r^2 off the axis, so that all within come from the disc.
-// Of a fisheye the same is asked of d, which has to grow with a.
+// Proof: base places are one to one with ideal places, and a disc of these is a disc of those. Of the map from there, let J be the
+// Jacobian. Where (J v) . v > 0 for all v all over a convex region, no two places b and c of it have one image, since (J (c - b)) .
+// (c - b) > 0 all along the segment between them. Without p and s it is symmetric, and its eigenvalues are f and f + 2 a^2 f', a
+// prime for the derivative by a^2; p1 and p2 change (J v) . v by at most 6 |p| a of v . v, s1 and s2 by 2 |s| a. Numbers with
+// proven radii (bounded.h) show for one interval of a^2 after the other that both eigenvalues stay above these. The border of the
+// disc is bent to places at least a f - (3 |p| + |s|) a^2 off the axis, so that all within come from the disc.
 [[nodiscard]] SIGHTLINE_EXPORT LensDisc proven_disc(const Lens& lens, double bent_radius);
 
 // Returns the ideal place in the disc that is bent to this one, by Newton's method: bent again, it is off by less than

@@ -163,8 +163,11 @@ void add_between(const LensImage& image, const Point2& from, const Point2& to, d
 LensImage make_lens_image(const std::string& camera, const Eigen::Matrix3d& k, const Lens& lens, double first,
                           double width, double height, double frame_tolerance) {
   const auto is_finite = [](double c) { return std::isfinite(c); };
-  require_lens(std::ranges::all_of(lens.radial, is_finite) && std::ranges::all_of(lens.tangential, is_finite), camera,
-               "a coefficient of the lens is not finite; give the numbers of the calibration");
+  require_lens(std::ranges::all_of(lens.radial, is_finite) && std::ranges::all_of(lens.tangential, is_finite) &&
+                   std::ranges::all_of(lens.prism, is_finite),
+               camera, "a coefficient of the lens is not finite; give the numbers of the calibration");
+  require_lens(lens.model != LensModel::field_of_view || (lens.radial[0] > 0 && lens.radial[0] < std::numbers::pi),
+               camera, "the lens's field of view is not between 0 and pi; give the number of the calibration");
   require_lens(
       k(2, 0) == 0 && k(2, 1) == 0 && k(2, 2) == 1 && k(1, 0) == 0 && k(0, 0) > 0 && k(1, 1) > 0, camera,
       "a camera with a lens needs another K; write [[fx, s, cx], [0, fy, cy], [0, 0, 1]] with positive fx and fy");

@@ -134,9 +134,11 @@ TEST_CASE("COLMAP's models become lenses, and each image gets its camera") {
       "# comment\n1 SIMPLE_PINHOLE 64 48 50 32 24\n2 PINHOLE 64 48 50 51 32 24\n3 SIMPLE_RADIAL 64 48 50 32 24 .1\n"
       "4 RADIAL 64 48 50 32 24 .1 .2\n5 OPENCV 64 48 50 51 32 24 .1 .2 .3 .4\n"
       "6 OPENCV_FISHEYE 64 48 50 51 32 24 .1 .2 .3 .4\n7 FULL_OPENCV 64 48 50 51 32 24 .1 .2 .3 .4 .5 .6 .7 .8\n"
-      "8 SIMPLE_RADIAL_FISHEYE 64 48 50 32 24 .1\n9 RADIAL_FISHEYE 64 48 50 32 24 .1 .2\n";
+      "8 SIMPLE_RADIAL_FISHEYE 64 48 50 32 24 .1\n9 RADIAL_FISHEYE 64 48 50 32 24 .1 .2\n"
+      "10 THIN_PRISM_FISHEYE 64 48 50 51 32 24 .1 .2 .3 .4 .5 .6 .7 .8\n11 FOV 64 48 50 51 32 24 -.9\n"
+      "12 FOV 64 48 50 51 32 24 0\n";
   const auto records = records_of(cameras);
-  REQUIRE(records.size() == 9);
+  REQUIRE(records.size() == 12);
   using Radial = std::array<double, 6>;
   const std::vector<std::pair<LensModel, Radial>> expected{
       {LensModel::brown, {.1}},
@@ -146,6 +148,9 @@ TEST_CASE("COLMAP's models become lenses, and each image gets its camera") {
       {LensModel::brown, {.1, .2, .5, .6, .7, .8}},
       {LensModel::fisheye, {.1}},
       {LensModel::fisheye, {.1, .2}},
+      {LensModel::fisheye, {.1, .2, .5, .6}},
+      {LensModel::field_of_view, {.9}},
+      {LensModel::brown, {}},
   };
   CHECK_FALSE(calibration_of(records[0]).lens.has_value());
   CHECK(calibration_of(records[1]).k(1, 1) == 51);
@@ -155,7 +160,8 @@ TEST_CASE("COLMAP's models become lenses, and each image gets its camera") {
     INFO(records[i + 2].name);
     CHECK(lens.model == expected[i].first);
     CHECK(lens.radial == expected[i].second);
-    const bool is_tangential = i == 2 || i == 4;
+    const bool is_tangential = i == 2 || i == 4 || i == 7;
+    CHECK(lens.prism == (i == 7 ? std::array<double, 2>{.7, .8} : std::array<double, 2>{}));
     CHECK(lens.tangential == (is_tangential ? std::array<double, 2>{.3, .4} : std::array<double, 2>{}));
   }
   const FileTexts files{{"dir/images.txt",
@@ -282,7 +288,9 @@ TEST_CASE("what is wrong with a file of cameras is said with its line and what t
   check_refused("{\"frames\": [\n{\"transform_matrix\": [1, 2]}]}", 2, "neither fl_x nor camera_angle_x");
   check_refused("{\"fl_x\": 1, \"frames\": [\n{\"transform_matrix\": [[2,0,0,0],[0,2,0,0],[0,0,2,0]]}]}", 2,
                 "R is not a rotation");
-  check_refused("1 FOV 64 48 50 51 32 24 .1\n", 1, "colmap image_undistorter");
+  check_refused("1 RAD_TAN_THIN_PRISM_FISHEYE 64 48 50 51 32 24 .1\n", 1, "colmap image_undistorter");
+  check_refused("1 FOV 64 48 50 51 32 24 3.2\n", 1, "not between 0 and pi",
+                "R = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\nt = [0, 0, 0]\n");
   check_refused("1 PINHOLE 64 48 50\n", 1, "PINHOLE has 6 numbers, and here are 3");
   check_refused("1 PINHOLE 640 480 50 50 32 24\n1 PINHOLE 640 480 50 50 32 24\n", 2, "a second camera 1");
   check_refused("name,eye_x\na,1\n", 1, "no column eye_y");

@@ -20,12 +20,14 @@ namespace sightline::tests::lens_test {
 namespace {
 
 Lens brown(std::array<double, 6> radial, std::array<double, 2> tangential = {0, 0}) {
-  return {LensModel::brown, radial, tangential};
+  return {LensModel::brown, radial, tangential, {}};
 }
 
 Lens fisheye(double k1, double k2, double k3, double k4) {
-  return {LensModel::fisheye, {k1, k2, k3, k4, 0, 0}, {0, 0}};
+  return {LensModel::fisheye, {k1, k2, k3, k4, 0, 0}, {0, 0}, {}};
 }
+
+Lens field_of_view(double w) { return {LensModel::field_of_view, {w}, {}, {}}; }
 
 // A row of the table.
 struct Projected {
@@ -84,7 +86,14 @@ Point2 window_place(const Camera& camera, const Point3& p) {
 
 Lens random_lens(std::mt19937_64& random) {
   const auto number = [&](double size) { return std::uniform_real_distribution<double>(-size, size)(random); };
-  if (random() % 3 == 0) return fisheye(number(0.05), number(0.05), number(0.02), number(0.01));
+  if (random() % 6 == 0) return field_of_view(0.8 + number(0.6));
+  if (random() % 3 == 0) {
+    Lens lens = fisheye(number(0.05), number(0.05), number(0.02), number(0.01));
+    if (random() % 2 == 0) return lens;
+    lens.tangential = {number(0.005), number(0.005)};
+    lens.prism = {number(0.01), number(0.01)};
+    return lens;
+  }
   return brown({number(0.3), number(0.1), number(0.05), number(0.05), number(0.02), number(0.02)},
                {number(0.005), number(0.005)});
 }
@@ -117,6 +126,32 @@ TEST_CASE("A camera behind a lens has its points at OpenCV's pixels, to 1e-9") {
     CHECK(off < 1e-9);
   }
   CHECK(cameras > 200);
+}
+
+// As COLMAP has them: an angle that the image shows, and a fisheye whose image lies aslant.
+TEST_CASE("A field of view and a thin prism bring points where COLMAP does") {
+  const double w = 1.2;
+  const Lens fov = field_of_view(w);
+  const double r = 1 / (2 * std::tan(w / 2));
+  const Point2 at_quarter = bent_place(fov, {0.6 * r, -0.8 * r});
+  CHECK(at_quarter.x == doctest::Approx(0.6 * std::numbers::pi / (4 * w)).epsilon(1e-15));
+  CHECK(at_quarter.y == doctest::Approx(-0.8 * std::numbers::pi / (4 * w)).epsilon(1e-15));
+  CHECK(bent_place(fov, {0, 0}) == Point2{0, 0});
+
+  const Lens prism{LensModel::fisheye, {0.01, -0.02, 0.003, -0.004}, {0.001, -0.002}, {0.005, -0.007}};
+  for (const Point2& ideal : {Point2{0.3, 0.4}, Point2{-1.5, 0.2}, Point2{0, -2}}) {
+    const double tangent = std::hypot(ideal.x, ideal.y);
+    const double theta = std::atan(tangent);
+    const double u = theta * ideal.x / tangent;
+    const double v = theta * ideal.y / tangent;
+    const double r2 = u * u + v * v;
+    const double radial = 0.01 * r2 - 0.02 * r2 * r2 + 0.003 * std::pow(r2, 3) - 0.004 * std::pow(r2, 4);
+    const double du = u * radial + 2 * 0.001 * u * v - 0.002 * (r2 + 2 * u * u) + 0.005 * r2;
+    const double dv = v * radial - 2 * 0.002 * u * v + 0.001 * (r2 + 2 * v * v) - 0.007 * r2;
+    const Point2 bent = bent_place(prism, ideal);
+    CHECK(std::fabs(bent.x - (u + du)) < 1e-15);
+    CHECK(std::fabs(bent.y - (v + dv)) < 1e-15);
+  }
 }
 
 TEST_CASE("Without its k1 of -0.11 a corner of a full-HD image is 17 pixels off") {
@@ -163,6 +198,14 @@ TEST_CASE("A model folds where its distance from the axis no longer grows") {
   CHECK(fold_of(brown({0, 0, 0, -0.5, 0, 0})) == doctest::Approx(std::sqrt(2.0)).epsilon(1e-6));
   CHECK(proven_disc(brown({0.1, 0, 0, 0, 0, 0}), 10).end == LensDisc::End::reaches);
   CHECK(proven_disc(fisheye(0, 0, 0, 0), 10).end == LensDisc::End::too_wide);
+  CHECK(proven_disc(field_of_view(1), 10).end == LensDisc::End::too_wide);
+  CHECK(proven_disc(field_of_view(1), 1).end == LensDisc::End::reaches);
+  // s1 alone folds where 1 + 2 s1 x is 0, along the axis of x.
+  const Lens prism{LensModel::fisheye, {}, {}, {-0.4, 0}};
+  const LensDisc unfolded = proven_disc(prism, 1e15);
+  CHECK(unfolded.end == LensDisc::End::folds);
+  CHECK(unfolded.radius <= std::tan(1 / 0.8));
+  CHECK(unfolded.radius > std::tan(0.5 / 0.8));
 }
 
 TEST_CASE("A lens that folds within the image, or shows more than a half-space, is refused with what to do") {
