@@ -73,7 +73,7 @@ std::vector<Corners> assembly(std::mt19937& random) {
 // Whole numbers again: the camera's rows, and where it stands. |forward| does not matter without near and far.
 Camera whole_camera(std::mt19937& random) {
   const auto place = [&random](int reach) {
-    return static_cast<double>(static_cast<int>(random() % (2 * reach)) - reach);
+    return static_cast<double>(static_cast<int>(random() % static_cast<unsigned>(2 * reach)) - reach);
   };
   Camera camera;
   camera.name = "whole";
