@@ -171,9 +171,12 @@ TEST_CASE("What is bent comes back, and nothing else comes to the same place") {
     const double angle = std::uniform_real_distribution<double>(0, 2 * std::numbers::pi)(random);
     const double reach = 0.999 * disc.radius * std::sqrt(std::uniform_real_distribution<double>(0, 1)(random));
     const Point2 p{reach * std::cos(angle), reach * std::sin(angle)};
-    const auto found = ideal_place(lens, disc, bent_place(lens, p));
+    const Point2 bent = bent_place(lens, p);
+    const auto found = ideal_place(lens, disc, bent);
     REQUIRE(found);
     CHECK(std::hypot(found->x - p.x, found->y - p.y) < 1e-9);
+    const Point2 again = bent_place(lens, *found);
+    CHECK(std::hypot(again.x - bent.x, again.y - bent.y) < 1e-14 * (1 + std::hypot(bent.x, bent.y)));
     // Its Jacobian by differences: what turns counter-clockwise still does.
     const double h = 1e-6;
     const Point2 q = bent_place(lens, p);
